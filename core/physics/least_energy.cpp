@@ -18,18 +18,87 @@ constexpr double kNothing = 1e-300;  // keeps a scale of nothing from being divi
 
 using EnergyMatrix = Eigen::SparseMatrix<double>;
 
+/// [H A'; A −springs], its lower half. Which unknowns are fixed changes values only: their rows and
+/// columns become those of the identity, so that the order of elimination is found once.
+class Conditions
+{
+public:
+    Conditions(const EnergyProblem &problem, double spring)
+        : m_unknowns(problem.slope.size()), m_rows(problem.constant.size()), m_spring(spring)
+    {
+        std::vector<Eigen::Triplet<double>> entries;
+        entries.reserve(static_cast<std::size_t>(
+            problem.energy.nonZeros() + problem.equations.nonZeros() + m_rows + m_unknowns));
+        const auto each = [](const EnergyMatrix &matrix, const auto &use) {
+            for (Eigen::Index k = 0; k < matrix.outerSize(); ++k)
+                for (EnergyMatrix::InnerIterator it(matrix, k); it; ++it)
+                    use(it.row(), it.col(), it.value());
+        };
+        each(problem.energy, [&](Eigen::Index i, Eigen::Index j, double value) {
+            if (i >= j)
+                entries.emplace_back(i, j, value);
+        });
+        each(problem.equations, [&](Eigen::Index i, Eigen::Index j, double value) {
+            entries.emplace_back(m_unknowns + i, j, value);
+        });
+        for (Eigen::Index i = 0; i < m_unknowns + m_rows; ++i)
+            entries.emplace_back(i, i, 0.0); // each has a diagonal
+        m_matrix.resize(m_unknowns + m_rows, m_unknowns + m_rows);
+        m_matrix.setFromTriplets(entries.begin(), entries.end());
+        m_values.assign(m_matrix.valuePtr(), m_matrix.valuePtr() + m_matrix.nonZeros());
+        m_factors.analyzePattern(m_matrix);
+    }
+
+    /// isFixed(unknown). False where it cannot be factored.
+    template <class IsFixed>
+    bool factorise(const IsFixed &isFixed)
+    {
+        std::vector<char> fixed(static_cast<std::size_t>(m_unknowns + m_rows), 0);
+        for (Eigen::Index i = 0; i < m_unknowns; ++i)
+            fixed[static_cast<std::size_t>(i)] = isFixed(i) ? 1 : 0;
+        double *value = m_matrix.valuePtr();
+        std::copy(m_values.begin(), m_values.end(), value);
+        for (Eigen::Index j = 0; j < m_matrix.outerSize(); ++j)
+            for (EnergyMatrix::InnerIterator it(m_matrix, j); it; ++it)
+                if (fixed[static_cast<std::size_t>(it.row())] || fixed[static_cast<std::size_t>(j)])
+                    it.valueRef() = it.row() == j ? 1.0 : 0.0;
+        // What the factors are held by is no part of what is solved.
+        EnergyMatrix held = m_matrix;
+        for (Eigen::Index j = m_unknowns; j < held.outerSize(); ++j)
+            held.coeffRef(j, j) -= m_spring;
+        m_factors.factorize(held);
+        return m_factors.info() == Eigen::Success;
+    }
+    Eigen::VectorXd solved(const Eigen::VectorXd &right) const { return m_factors.solve(right); }
+    Eigen::VectorXd times(const Eigen::VectorXd &vector) const
+    {
+        return m_matrix.selfadjointView<Eigen::Lower>() * vector;
+    }
+
+private:
+    Eigen::Index m_unknowns, m_rows;
+    double m_spring;
+    EnergyMatrix m_matrix;
+    std::vector<double> m_values; // with all unknowns free
+    Eigen::SimplicialLDLT<EnergyMatrix, Eigen::Lower> m_factors;
+};
+
+double springOf(const EnergyProblem &problem)
+{
+    return problem.slope.size() > 0 ? kSpring / problem.energy.diagonal().mean() : 1.0;
+}
+
 /// The state of the active set, and what solves with it.
 class EnergySearch
 {
 public:
     explicit EnergySearch(const EnergyProblem &problem)
         : m_problem(problem), m_size(problem.slope.size()), m_rows(problem.constant.size()),
-          m_isFixed(static_cast<std::size_t>(m_size), false)
+          m_isFixed(static_cast<std::size_t>(m_size), false),
+          m_conditions(problem, springOf(problem))
     {
         m_result.unknowns = Eigen::VectorXd::Zero(m_size);
         m_result.multipliers = Eigen::VectorXd::Zero(m_rows);
-        const Eigen::VectorXd diagonal = problem.energy.diagonal();
-        m_spring = m_size > 0 ? kSpring / diagonal.mean() : 1.0;
     }
 
     /// False when the matrix cannot be factored.
@@ -59,97 +128,40 @@ private:
         const int leader = m_problem.bounds[at(i)].follows;
         return m_isFixed[at(i)] || (leader >= 0 && m_isFixed[at(leader)]);
     }
-    void number();
-    EnergyMatrix conditions() const;
 
     const EnergyProblem &m_problem;
     Eigen::Index m_size, m_rows;
     std::vector<bool> m_isFixed;
-    std::vector<Eigen::Index> m_number; // among the free unknowns; −1: fixed
-    Eigen::Index m_free = 0;
-    double m_spring = 1.0;
+    Conditions m_conditions;
     LeastEnergy m_result;
 };
 
-void EnergySearch::number()
-{
-    m_number.assign(at(m_size), -1);
-    m_free = 0;
-    for (Eigen::Index i = 0; i < m_size; ++i) {
-        if (!isFixed(i))
-            m_number[at(i)] = m_free++;
-    }
-}
-
-/// [H A'; A 0] of the free unknowns, both halves.
-EnergyMatrix EnergySearch::conditions() const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(at(m_problem.energy.nonZeros() + 2 * m_problem.equations.nonZeros() + m_rows));
-    const auto each = [](const EnergyMatrix &matrix, const auto &use) {
-        for (Eigen::Index k = 0; k < matrix.outerSize(); ++k) {
-            for (EnergyMatrix::InnerIterator it(matrix, k); it; ++it)
-                use(it.row(), it.col(), it.value());
-        }
-    };
-    each(m_problem.energy, [&](Eigen::Index i, Eigen::Index j, double value) {
-        if (m_number[at(i)] >= 0 && m_number[at(j)] >= 0)
-            entries.emplace_back(m_number[at(i)], m_number[at(j)], value);
-    });
-    each(m_problem.equations, [&](Eigen::Index i, Eigen::Index j, double value) {
-        if (m_number[at(j)] < 0)
-            return;
-        entries.emplace_back(m_free + i, m_number[at(j)], value);
-        entries.emplace_back(m_number[at(j)], m_free + i, value);
-    });
-    EnergyMatrix matrix(m_free + m_rows, m_free + m_rows);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
 bool EnergySearch::solve()
 {
-    number();
     Eigen::VectorXd &x = m_result.unknowns;
-    for (Eigen::Index i = 0; i < m_size; ++i) {
-        if (isFixed(i))
-            x[i] = m_isFixed[at(i)] ? m_problem.bounds[at(i)].value : 0.0;
-        else
-            x[i] = 0.0;
-    }
-    const EnergyMatrix matrix = conditions();
-    EnergyMatrix springs(m_free + m_rows, m_free + m_rows);
-    std::vector<Eigen::Triplet<double>> held;
-    for (Eigen::Index i = 0; i < m_rows; ++i)
-        held.emplace_back(m_free + i, m_free + i, -m_spring);
-    springs.setFromTriplets(held.begin(), held.end());
-    const Eigen::SimplicialLDLT<EnergyMatrix> factor(matrix + springs);
-    if (factor.info() != Eigen::Success)
+    for (Eigen::Index i = 0; i < m_size; ++i)
+        x[i] = m_isFixed[at(i)] ? m_problem.bounds[at(i)].value : 0.0;
+    if (!m_conditions.factorise([this](Eigen::Index i) { return isFixed(i); }))
         return false;
-
-    const Eigen::VectorXd slope = m_problem.slope + m_problem.energy * x;
-    Eigen::VectorXd right(m_free + m_rows);
-    for (Eigen::Index i = 0; i < m_size; ++i) {
-        if (m_number[at(i)] >= 0)
-            right[m_number[at(i)]] = -slope[i];
-    }
+    Eigen::VectorXd right(m_size + m_rows);
+    right.head(m_size) = -(m_problem.slope + m_problem.energy * x);
+    for (Eigen::Index i = 0; i < m_size; ++i)
+        if (isFixed(i))
+            right[i] = 0.0;
     right.tail(m_rows) = -(m_problem.constant + m_problem.equations * x);
     // Two scales: displacements above, forces below.
-    const double above = std::max(right.head(m_free).norm(), kNothing),
+    const double above = std::max(right.head(m_size).norm(), kNothing),
                  below = std::max(right.tail(m_rows).norm(), kNothing);
+    const double scale = std::max(above, m_problem.energy.diagonal().mean() * below);
     Eigen::VectorXd found = Eigen::VectorXd::Zero(right.size()), rest = right;
     for (int k = 0; k < kRefinements; ++k) {
-        found += factor.solve(rest);
-        rest = right - matrix * found;
-        const double scale = std::max(above, (m_problem.energy.diagonal().mean() * below));
-        if (rest.head(m_free).norm() < kRefined * scale &&
+        found += m_conditions.solved(rest);
+        rest = right - m_conditions.times(found);
+        if (rest.head(m_size).norm() < kRefined * scale &&
             rest.tail(m_rows).norm() < kRefined * below)
             break;
     }
-    for (Eigen::Index i = 0; i < m_size; ++i) {
-        if (m_number[at(i)] >= 0)
-            x[i] = found[m_number[at(i)]];
-    }
+    x += found.head(m_size); // nothing where it is fixed
     m_result.multipliers = found.tail(m_rows);
     return found.allFinite();
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include <limits>
+
 namespace fff::ui {
 
 namespace {
@@ -27,6 +29,37 @@ Box3 boxOf(const SlabMesh &mesh, const SceneSection &section)
         box.extend(section.frame.toWorld(Vec2(vertex.position[0], vertex.position[1])) +
                    0.5 * section.thickness * vertex.position[2] * section.frame.normal());
     return box;
+}
+
+/// How far a place of a section moves, mm: of one that bends, as the nearest of its points.
+Vec3 movedAt(const Movement &movement, int section, const Vec3 &at)
+{
+    const Bodies &bodies = movement.analysis->bodies;
+    double nearest = std::numeric_limits<double>::infinity();
+    Vec3 moved = Vec3::Zero();
+    for (int piece = 0; piece < bodies.countOf(section); ++piece) {
+        const int index = bodies.firstOf(section) + piece;
+        const auto i = static_cast<std::size_t>(index);
+        const Body &body = bodies.at(index);
+        const StressField *field = movement.bent ? movement.bent->fields[i].get() : nullptr;
+        if (!field) {
+            const double away = distanceBetween(body.box(), Box3{at, at});
+            if (away < nearest) {
+                nearest = away;
+                moved = movement.motions[i].translation +
+                        movement.motions[i].rotation.cross(at - movement.centroids[i]);
+            }
+            continue;
+        }
+        for (std::size_t k = 0; k < field->points.size(); ++k) {
+            const double away = (body.frame().toWorld(field->points[k]) - at).norm();
+            if (away < nearest) {
+                nearest = away;
+                moved = movement.bent->moved(index, k);
+            }
+        }
+    }
+    return moved;
 }
 
 } // namespace
@@ -90,6 +123,10 @@ const Scene &MovedScene::at(const Scene &scene, const Model &model, const Moveme
         section.guests.clear();
         m_scene.bounds.extend(section.bounds);
         m_scene.sections.push_back(std::move(section));
+    }
+    for (SceneThing thing : scene.things) {
+        thing.at += times * movedAt(movement, thing.section, thing.at);
+        m_scene.things.push_back(std::move(thing));
     }
     return m_scene;
 }
