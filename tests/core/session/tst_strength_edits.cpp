@@ -110,7 +110,7 @@ Document withOtherLoads(Document document, RandomEdits &edits)
     if (kind == 1 || document.loads.size() > 4)
         return *removeLoad(std::move(document), load.id);
     if (kind == 2)
-        load.mass = 0.05 + 0.1 * edits.below(20);
+        load.mass = load.filled + 0.05 + 0.1 * edits.below(20);
     else if (kind == 3)
         load.position += Vec2(edits.below(7) - 3, edits.below(7) - 3);
     else

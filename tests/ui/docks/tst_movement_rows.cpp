@@ -73,7 +73,7 @@ void TestMovementRows::saysHowLargeItIs()
     QVERIFY(!words().contains(QStringLiteral("times")));
     slider()->setValue(slider()->maximum());
     QCOMPARE(bench().movement(), 1.0);
-    QVERIFY2(words().contains(QStringLiteral("shown 5.2 times")), qPrintable(words()));
+    QVERIFY2(words().contains(QStringLiteral("shown 5.3 times")), qPrintable(words()));
     slider()->setValue(slider()->maximum() / 2);
     QVERIFY2(words().contains(QStringLiteral("shown 2.6 times")), qPrintable(words()));
     QVERIFY(bench().session().committed().document.isSame(before));
