@@ -25,8 +25,8 @@ CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
                               std::vector<Engraving> engravings, const Model &model,
                               const DrawingOptions &options)
 {
-    const auto source =
-        std::make_shared<const CuttingPart::Source>(std::move(parts), std::move(engravings));
+    const auto source = std::make_shared<const CuttingPart::Source>(
+        CuttingPart::Source{std::move(parts), std::move(engravings)});
     CuttingDrawing drawing;
     drawing.isKerfApplied = options.isKerfApplied;
     drawing.hasReference = options.hasReference;
