@@ -59,13 +59,14 @@ BearingProbe::Tried BearingProbe::tried(double mass, bool withStress)
 /// From which mass on it does not stand, to half of what is asked for.
 double BearingProbe::fallsBetween(double stands, double falls, bool &isPulled)
 {
+    constexpr double kShareStood = 1e-3; // of what it falls under, while it stood under nothing
     for (int i = 0;
          i < kMostTries && falls - stands > 0.5 * kBorneAccuracy * falls && !m_work.isStopped();
          ++i) {
         // In the first steps nobody knows its size.
         const double middle = stands > 0.0 && falls < 4.0 * stands
                                   ? 0.5 * (stands + falls)
-                                  : std::sqrt(std::max(stands, 1e-3 * falls) * falls);
+                                  : std::sqrt(std::max(stands, kShareStood * falls) * falls);
         const Tried at = tried(middle, false);
         (at.stands ? stands : falls) = middle;
         if (!at.stands)
