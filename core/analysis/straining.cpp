@@ -1,7 +1,11 @@
 #include "core/analysis/straining.h"
 
+#include "core/physics/sample_stresses.h"
+
 #include <algorithm>
+#include <deque>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace fff {
@@ -89,16 +93,14 @@ Equilibrium bentBy(const ElasticEquilibrium &solved, const Structure &loaded, Eq
     return rigid;
 }
 
-double useOf(const SectionStress &stress, int neck, double NeckStress::*use)
-{
-    return neck < 0 ? 0.0 : stress.necks[static_cast<std::size_t>(neck)].*use;
-}
-
 void keepWorse(const SectionStress &stress, int neck, double NeckStress::*use,
                std::optional<NeckStress> &worst)
 {
-    if (neck >= 0 && (!worst || useOf(stress, neck, use) > (*worst).*use))
-        worst = stress.necks[static_cast<std::size_t>(neck)];
+    if (neck < 0)
+        return;
+    const NeckStress &found = stress.necks[static_cast<std::size_t>(neck)];
+    if (!worst || found.*use > (*worst).*use)
+        worst = found;
 }
 
 bool actsWhere(const AppliedForce &a, const AppliedForce &b)
@@ -308,12 +310,20 @@ const CutShares &Straining::sharesOf(int body, const std::shared_ptr<const Secti
                                      const std::vector<AppliedForce> &forces,
                                      double thickness) const
 {
-    KeptShares &kept = m_caches.shares[m_analysis.bodies.pointer(body)];
-    // The thickness is the body's.
-    if (kept.cuts != cuts || !std::equal(forces.begin(), forces.end(), kept.forces.begin(),
-                                         kept.forces.end(), actsWhere))
-        kept = {cuts, forces, cutShares(*cuts, forces, thickness)};
-    return kept.shares;
+    std::shared_ptr<const KeptShares> &kept = m_caches.shares[m_analysis.bodies.pointer(body)];
+    const auto isFor = [&](const std::shared_ptr<const KeptShares> &shares) {
+        return shares && shares->cuts == cuts && shares->thickness == thickness &&
+               std::equal(forces.begin(), forces.end(), shares->forces.begin(),
+                          shares->forces.end(), actsWhere);
+    };
+    if (isFor(kept))
+        return kept->shares;
+    std::shared_ptr<const KeptShares> &last = m_caches.lastShares[cuts.get()];
+    if (!isFor(last))
+        last = std::make_shared<const KeptShares>(
+            KeptShares{cuts, forces, thickness, cutShares(*cuts, forces, thickness)});
+    kept = last;
+    return kept->shares;
 }
 
 SheetMaterial Straining::sheetOf(int body) const
@@ -343,33 +353,25 @@ BodyStrength Straining::worstOf(int index,
     const SectionCuts &cuts = *kept;
     const SheetMaterial sheet = sheetOf(index);
     const CutShares &shares = sharesOf(index, kept, *cases.front(), sheet.thickness);
-    KeptLines lines;
-    const auto stressed = [&](std::size_t k, int refined) {
-        SectionStress stress = stressOf(cuts, shares, *cases[k], sheet, {m_rules.notch, refined});
-        body.isWorkedOut = body.isWorkedOut && stress.isWorkedOut;
-        if (detail == Detail::WithLines)
-            lines.add(stress, cuts.samples().size());
-        return stress;
-    };
-    std::vector<double> neck(cases.size(), 0.0), corner(cases.size(), 0.0);
-    const bool isGrid = detail == Detail::Grid;
-    for (std::size_t k = 0; (isGrid || cases.size() > 1) && k < cases.size(); ++k) {
-        const SectionStress stress = stressed(k, 0);
-        neck[k] = useOf(stress, stress.worstNeck, &NeckStress::neckUse);
-        corner[k] = useOf(stress, stress.worstCorner, &NeckStress::cornerUse);
-        if (isGrid) {
-            keepWorse(stress, stress.worstNeck, &NeckStress::neckUse, body.neck);
-            keepWorse(stress, stress.worstCorner, &NeckStress::cornerUse, body.corner);
-        }
+    std::deque<SampleStresses> stresses; // by cases
+    double worstNeck = 0.0, worstCorner = 0.0;
+    for (const std::vector<AppliedForce> *forces : cases) {
+        SampleStresses &stress = stresses.emplace_back(cuts, shares, *forces, sheet, m_rules.notch);
+        worstNeck = std::max(worstNeck, stress.worstNeck());
+        worstCorner = std::max(worstCorner, stress.worstCorner());
     }
-    const double worstNeck = *std::max_element(neck.begin(), neck.end());
-    const double worstCorner = *std::max_element(corner.begin(), corner.end());
-    for (std::size_t k = 0; !isGrid && k < cases.size(); ++k) {
-        if (neck[k] < kNearlyWorst * worstNeck && corner[k] < kNearlyWorst * worstCorner)
-            continue;
-        const SectionStress stress = stressed(k, StressOptions().refined);
-        keepWorse(stress, stress.worstNeck, &NeckStress::neckUse, body.neck);
-        keepWorse(stress, stress.worstCorner, &NeckStress::cornerUse, body.corner);
+    KeptLines lines;
+    for (SampleStresses &stress : stresses) {
+        if (detail != Detail::Grid && (stress.worstNeck() >= kNearlyWorst * worstNeck ||
+                                       stress.worstCorner() >= kNearlyWorst * worstCorner))
+            stress.refine(StressOptions().refined);
+        const SectionStress &found = stress.result(
+            detail == Detail::WithLines ? kLeastShown : std::numeric_limits<double>::infinity());
+        body.isWorkedOut = body.isWorkedOut && found.isWorkedOut;
+        keepWorse(found, found.worstNeck, &NeckStress::neckUse, body.neck);
+        keepWorse(found, found.worstCorner, &NeckStress::cornerUse, body.corner);
+        if (detail == Detail::WithLines)
+            lines.add(found, cuts.samples().size());
     }
     if (strengthOf(stockOf(index))) {
         body.neckUse = body.neck ? body.neck->neckUse : 0.0;

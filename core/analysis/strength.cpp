@@ -107,6 +107,7 @@ void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthC
     keepMeshesOf(analysis.bodies, caches.meshes);
     std::erase_if(caches.shares,
                   [&](const auto &kept) { return !caches.cuts.contains(kept.first); });
+    std::erase_if(caches.lastShares, [](const auto &kept) { return kept.second.use_count() == 1; });
     std::erase_if(caches.alike, [](const auto &kept) { return kept.second.use_count() == 1; });
 }
 

@@ -60,6 +60,7 @@ struct KeptShares
 {
     std::shared_ptr<const SectionCuts> cuts;
     std::vector<AppliedForce> forces; // where; how large they are has no part in it
+    double thickness = 0.0;           // mm
     CutShares shares;
 };
 
@@ -67,7 +68,9 @@ struct KeptShares
 struct StrengthCaches
 {
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> cuts;
-    std::map<BodyPointer, KeptShares> shares; // of no more bodies than cuts
+    std::map<BodyPointer, std::shared_ptr<const KeptShares>> shares; // of no more bodies than cuts
+    /// The last of those with these cuts: bodies that are alike share them, too.
+    std::map<const SectionCuts *, std::shared_ptr<const KeptShares>> lastShares;
     /// The same by a hash of their shapes: bodies that are alike in their frames share them.
     std::unordered_multimap<std::size_t, std::shared_ptr<const SectionCuts>> alike;
     EquilibriumCache equilibria;

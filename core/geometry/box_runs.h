@@ -64,6 +64,21 @@ public:
             span *= kRun;
         return walkFrom(m_levels.size() - 1, 0, span, isWanted, visit);
     }
+    /// Calls visit(box, begin, end) for every run of things in a box that is near.
+    template <class IsNear, class Visit>
+    void eachRun(IsNear isNear, Visit visit) const
+    {
+        walk(
+            [&](const Box2 &box, std::size_t first, std::size_t end) {
+                if (!isNear(box))
+                    return false;
+                if (end - first > kRun)
+                    return true;
+                visit(box, first, end);
+                return false;
+            },
+            [](std::size_t) { return false; });
+    }
 
 private:
     static constexpr std::size_t kRun = 8;

@@ -76,7 +76,9 @@ ForceSites::ForceSites(const SectionOutline &outline, const std::vector<AppliedF
     m_sites.reserve(sites.size());
     for (const int force : m_forces)
         m_sites.push_back(siteOf(force));
-    m_boxes.fill(m_sites.size(), [this](std::size_t i) { return boxOf(m_sites[i]); });
+    for (const ForceSite &site : m_sites)
+        m_siteBoxes.push_back(boxOf(site));
+    m_boxes.fill(m_sites.size(), [this](std::size_t i) { return m_siteBoxes[i]; });
 }
 
 PlusSites ForceSites::onPlusSide(const LineCut &cut) const
@@ -144,7 +146,7 @@ void ForceSites::addNear(const LineCut &cut, PlusSites &plus) const
     m_boxes.any(
         [&cut](const Box2 &box) { return meets(cut, box); },
         [&](std::size_t place) {
-            if (meets(cut, boxOf(m_sites[place])))
+            if (meets(cut, m_siteBoxes[place]))
                 plus.near.push_back({static_cast<int>(place), plusShare(cut, m_sites[place])});
             return false;
         });

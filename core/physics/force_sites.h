@@ -2,6 +2,7 @@
 // steps which of them are on its plus side.
 #pragma once
 
+#include "core/base/few.h"
 #include "core/geometry/box_runs.h"
 #include "core/physics/cut_sides.h"
 
@@ -22,7 +23,7 @@ struct PlusSites
         int place = 0;
         PlusShare plus;
     };
-    std::vector<Run> runs;  // apart, ascending
+    Few<Run, 2> runs;       // apart, ascending
     std::vector<Near> near; // ascending
 
     /// As one that is wholly on one side has none here.
@@ -56,6 +57,7 @@ private:
 
     std::vector<ForceSite> m_sites; // by places
     std::vector<int> m_forces;
+    std::vector<Box2> m_siteBoxes;
     BoxRuns m_boxes;
 };
 

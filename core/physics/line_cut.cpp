@@ -99,7 +99,7 @@ bool isEntry(const OutlineCrossing &crossing)
 
 } // namespace
 
-bool LineCutter::nextRun(const std::vector<OutlineCrossing> &crossings, Run &run)
+bool LineCutter::nextRun(std::span<const OutlineCrossing> crossings, Run &run)
 {
     std::size_t i = run.next;
     while (i + 1 < crossings.size()) {
@@ -198,6 +198,24 @@ LineCutter::Found LineCutter::collect(const std::vector<OutlineCrossing> &crossi
     return Found::All;
 }
 
+void LineCutter::focus(const Vec2 &point, double reach)
+{
+    m_focus = point;
+    m_focusReach = reach;
+    m_outline.runsNear(point, reach, m_focused);
+}
+
+void LineCutter::findCrossings(const CutLine &line, const LineSpan &span)
+{
+    const auto isFocused = [&](double along) {
+        return (line.at(along) - m_focus).norm() <= m_focusReach;
+    };
+    if (isFocused(span.from) && isFocused(span.to))
+        m_outline.crossings(line, span, m_focused, m_crossings);
+    else
+        m_outline.crossings(line, span, m_crossings);
+}
+
 void LineCutter::search(const CutLine &line, const Wanted &wanted, double reach, bool isEitherWay)
 {
     const LineSpan whole = m_outline.spanOn(line);
@@ -206,9 +224,11 @@ void LineCutter::search(const CutLine &line, const Wanted &wanted, double reach,
         m_candidates.clear();
         return; // it is no line
     }
+    if (const double room = m_focusReach - (line.point - m_focus).norm(); room > 0.5 * reach)
+        span = {std::max(span.from, -room), std::min(span.to, room)};
     for (;;) {
         const bool isFromStart = span.from <= whole.from, isToEnd = span.to >= whole.to;
-        m_outline.crossings(line, span, m_crossings);
+        findCrossings(line, span);
         m_candidates.clear();
         Found found = collect(m_crossings.touchedLeft, wanted, isFromStart, isToEnd);
         if (found == Found::All && isEitherWay && m_crossings.isTouched)
@@ -252,6 +272,24 @@ std::optional<CutChord> LineCutter::from(const CutLine &line, double reach)
 {
     search(line, {-kBeginSlack, kBeginSlack, true, kBeginSlack}, reach, true);
     return least(line, [](const Candidate &c) { return c.length(); });
+}
+
+std::optional<CutChord> LineCutter::fromVertex(const CutLine &line, int ring, int vertex,
+                                               double reach)
+{
+    const std::optional<OutlineCrossing> ahead =
+        ring == 0 && line.point == m_focus ? m_outline.firstAhead(line, ring, vertex, m_focused)
+                                           : std::nullopt;
+    // Over holes more than one chord counts.
+    if (!ahead || ahead->point.ring != 0 || ahead->along <= kBeginSlack ||
+        ahead->along > m_focusReach)
+        return from(line, reach);
+    const OutlineCrossing ends[] = {{0.0, m_outline.entryAt(line, ring, vertex), false}, *ahead};
+    const Run run{&ends[0], &ends[1], 2};
+    CutChord result{chordsOf(line, run), 0};
+    if (!weigh(run, result.cut))
+        return from(line, reach);
+    return result;
 }
 
 std::optional<CutChord> LineCutter::nearest(const CutLine &line, double within, double reach)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace fff {
@@ -55,11 +56,21 @@ public:
     void eachOn(const CutLine &line, Use use)
     {
         m_outline.crossings(line, {}, m_crossings);
-        for (Run run; nextRun(m_crossings.touchedLeft, run);) {
+        eachOf(line, std::span<const OutlineCrossing>(m_crossings.touchedLeft), use);
+    }
+    /// The same where the crossings are known, in their order along the line.
+    template <class Use>
+    void eachOf(const CutLine &line, std::span<const OutlineCrossing> crossings, Use use)
+    {
+        for (Run run; nextRun(crossings, run);) {
             LineCut cut = chordsOf(line, run);
             use(cut, [&] { return weigh(run, cut); });
         }
     }
+
+    /// The cuts to come are near to the point, most of them within so many mm: of these all are
+    /// faster. Until the next one.
+    void focus(const Vec2 &point, double reach);
 
     /// The shortest chord that contains the place `along` of the line, within `slack` mm. Where
     /// vertices lie on the line it may be moved by nothing to either side, as is shorter. `reach`,
@@ -68,6 +79,8 @@ public:
     std::optional<CutChord> at(const CutLine &line, double along, double slack, double reach);
     /// The shortest chord that begins at the line's own point, which lies on the boundary.
     std::optional<CutChord> from(const CutLine &line, double reach);
+    /// The same where that is a vertex of a ring, and the focus: faster.
+    std::optional<CutChord> fromVertex(const CutLine &line, int ring, int vertex, double reach);
     /// The chord nearest to the line's own point, less than `within` mm away from it. Vertices on
     /// the line count as to its left.
     std::optional<CutChord> nearest(const CutLine &line, double within, double reach);
@@ -79,7 +92,7 @@ private:
         const OutlineCrossing *first = nullptr, *last = nullptr;
         std::size_t next = 0; // index of the crossing behind
     };
-    static bool nextRun(const std::vector<OutlineCrossing> &crossings, Run &run);
+    static bool nextRun(std::span<const OutlineCrossing> crossings, Run &run);
     static LineCut chordsOf(const CutLine &line, const Run &run);
     bool weigh(const Run &run, LineCut &cut) const;
 
@@ -113,8 +126,13 @@ private:
     template <class Value>
     std::optional<CutChord> least(const CutLine &line, Value value);
 
+    void findCrossings(const CutLine &line, const LineSpan &span);
+
     const SectionOutline &m_outline;
     LineCrossings m_crossings;
+    Vec2 m_focus = Vec2::Zero();
+    double m_focusReach = -1.0; // none
+    std::vector<EdgeRun> m_focused;
     std::vector<Candidate> m_candidates;
 };
 

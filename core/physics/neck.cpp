@@ -1,7 +1,5 @@
 #include "core/physics/neck.h"
 
-#include "core/geometry/directions.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +13,8 @@ namespace {
 /// An end this near to a vertex lies on it, mm: less than what lasers keep.
 constexpr double kAtVertex = 0.02;
 constexpr double kMinNeck = 0.05; // mm: shorter ones are where rings touch
-/// 45°, and rounding: chords of the grid between straight edges lean by just that.
-constexpr double kMaxLean = std::numbers::pi / 4 + 1e-6;
+/// Of 45°, the cosine, and rounding: chords of the grid between straight edges lean by just that.
+constexpr double kLeastStraight = 1.0 / std::numbers::sqrt2 - 1e-6;
 /// Normals that differ by less than this length (29°) face the same way.
 constexpr double kSameSideNormals = 0.5;
 /// A vertex that turns by less is one of a curve, for the direction in which the boundary faces
@@ -111,19 +109,19 @@ void measureLean(const EndNormals &begins, const EndNormals &ends, const Vec2 &w
                               begins.normals[static_cast<std::size_t>(i)];
             const bool isSameSide = span.norm() < kSameSideNormals || span.dot(way) <= 0.0;
             const Vec2 across = isSameSide ? way : Vec2(span.normalized());
-            const double lean = turnBetween(way, across);
-            const bool isGood = !isSameSide && lean <= kMaxLean;
-            const bool wasGood = !neck.isSameSide && neck.lean <= kMaxLean;
+            const double straight = way.dot(across);
+            const bool isGood = !isSameSide && straight >= kLeastStraight;
+            const bool wasGood = !neck.isSameSide && neck.straight >= kLeastStraight;
             const bool isBetter = isGood != wasGood ? isGood
                                   : isGood          ? span.norm() > widest
-                                                    : lean < neck.lean;
+                                                    : straight > neck.straight;
             if (!isFirst && !isBetter)
                 continue;
             isFirst = false;
             widest = span.norm();
             neck.isSameSide = isSameSide;
             neck.across = across;
-            neck.lean = lean;
+            neck.straight = straight;
         }
     }
 }
@@ -233,7 +231,7 @@ void shadow(const PieceShape &shape, int index, Neck &neck)
         return;
     const Vec2 limit = low + (under / (under - over)) * (high - low);
     const double limitAlong = slit.opening.dot(limit - slit.root);
-    const double length = (limit - low).norm() * std::cos(neck.lean);
+    const double length = (limit - low).norm() * neck.straight;
     if (limitAlong < 0.0 || limitAlong > slit.depth ||
         (neck.shadowSlit >= 0 && length >= neck.shadowLength))
         return;
@@ -245,8 +243,8 @@ void shadow(const PieceShape &shape, int index, Neck &neck)
     neck.shadowEnd = rise > 0.0 ? limit : low;
     neck.shadowLength = length;
     neck.isNetOnPlus = (rise > 0.0 ? 1.0 : -1.0) * cross(way, slit.root - low) < 0.0;
-    const std::optional<LineCut> &net = shape.netCuts[static_cast<std::size_t>(index)];
-    neck.isOnNetPlus = net->line.across(level) < 0.0;
+    const LineCut &net = shape.netCuts[static_cast<std::size_t>(index)]->cut;
+    neck.isOnNetPlus = net.line.across(level) < 0.0;
 }
 
 /// How far the holes that a cut crosses reach beside it.
@@ -275,7 +273,7 @@ void measureHoles(const SectionOutline &outline, const LineCut &cut, const Chord
 
 bool counts(const Neck &neck)
 {
-    return neck.length >= kMinNeck && neck.lean <= kMaxLean && !neck.isSameSide;
+    return neck.length >= kMinNeck && neck.straight >= kLeastStraight && !neck.isSameSide;
 }
 
 PieceShape::PieceShape(const Region &region, std::vector<SlitLine> given)
@@ -297,7 +295,7 @@ PieceShape::PieceShape(const Region &region, std::vector<SlitLine> given)
         // Slits are half as deep as what they are in, mostly.
         const double reach = std::max(slit.depth, slit.width);
         if (auto found = cutter.from({outline.nearest(slit.root).at, -slit.opening}, reach))
-            netCuts[i] = std::move(found->cut);
+            netCuts[i] = *std::move(found);
     }
     size = outline.bounds().isEmpty() ? 0.0 : outline.bounds().size().norm();
 }
@@ -310,7 +308,7 @@ Neck leaningNeck(const PieceShape &shape, const CutLine &line, const Chord &chor
     neck.end = chord.end.at;
     measureLean(endNormals(shape.outline, chord.begin, -way, chord.length()),
                 endNormals(shape.outline, chord.end, way, chord.length()), way, neck);
-    neck.length = chord.length() * std::cos(neck.lean);
+    neck.length = chord.length() * neck.straight;
     return neck;
 }
 

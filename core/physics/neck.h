@@ -34,7 +34,7 @@ struct PieceShape
 
     SectionOutline outline;
     std::vector<SlitLine> slits;
-    std::vector<std::optional<LineCut>>
+    std::vector<std::optional<CutChord>>
         netCuts; // of each slit, from its root on, away from its mouth
     std::vector<ReentrantCorner> corners;
     BoxRuns slitZones; // of each slit what of the piece it may shadow
@@ -63,7 +63,7 @@ struct Neck
     Vec2 begin = Vec2::Zero(), end = Vec2::Zero(); // of the chord
     Vec2 across = Vec2::UnitX();                   // v̄, unit, from begin to end
     double length = 0.0;                           // l, mm
-    double lean = 0.0;                             // between chord and v̄, radians
+    double straight = 1.0;                         // cosine of the angle between chord and v̄
     double bend = 1.0; // Winkler's factor of the bending stress in the plane, at least 1
     double halfOpening =
         0.0; // mm: half of what the holes at its ends reach over, normal to the cut

@@ -17,8 +17,8 @@ constexpr double kBucklingShare = 1.0 / 3.0;
 constexpr double kSameRoot = 0.1;
 /// Steps of golden section: the bracket of two spacings shrinks to a fiftieth.
 constexpr int kGoldenSteps = 8;
-/// A cut that leans by less is square (1°, radians), and it is after so many turns of it.
-constexpr double kSquareLean = 0.017453292519943295;
+/// A cut that leans by less is square (1°, its cosine), and it is after so many turns of it.
+constexpr double kSquare = 0.9998476951563913;
 constexpr int kSquarings = 4;
 
 Neck inShadow(const Neck &neck)
@@ -139,7 +139,10 @@ NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &ne
                     }) ||
         isNearForce(piece.forces, neck);
     doubts.isRedundant = cut.chords.size() > 1 && isBesideHoles(piece.forces, cut, neck);
-    if (cut.chords.size() == 1 && forces.axial < 0.0) {
+    // No bar within a piece is longer than twice its size: what would not buckle then is not asked
+    // for how long it is.
+    if (cut.chords.size() == 1 &&
+        isSlenderlyPressed(forces, neck, piece.sheet, 2.0 * piece.shape.size)) {
         double length = 0.0;
         for (const bool isPlus : {true, false})
             length += distanceToForce(piece.forces, sites, isPlus, neck.middle());
@@ -179,11 +182,11 @@ std::optional<FoundNeck> squareNeck(const PieceShape &shape, LineCutter &cutter,
             break;
         Neck neck =
             leaningNeck(shape, line, found->cut.chords[static_cast<std::size_t>(found->chord)]);
-        if (!counts(neck) || (best && neck.lean >= best->neck.lean))
+        if (!counts(neck) || (best && neck.straight <= best->neck.straight))
             break;
         measure(shape, found->cut, found->chord, neck);
         best = FoundNeck{*std::move(found), neck};
-        if (neck.lean < kSquareLean)
+        if (neck.straight > kSquare)
             break;
         line = {neck.middle(), neck.across};
     }
@@ -195,8 +198,8 @@ std::optional<FoundNeck> squareNeck(const PieceShape &shape, LineCutter &cutter,
 std::vector<PlusSites> onNetCuts(const PieceShape &shape, const ForceSites &sites)
 {
     std::vector<PlusSites> plus;
-    for (const std::optional<LineCut> &cut : shape.netCuts)
-        plus.push_back(cut ? sites.onPlusSide(*cut) : PlusSites());
+    for (const std::optional<CutChord> &net : shape.netCuts)
+        plus.push_back(net ? sites.onPlusSide(net->cut) : PlusSites());
     return plus;
 }
 
@@ -208,7 +211,7 @@ std::vector<NetForce> netForces(const PieceShape &shape, const SummedForces &for
     for (std::size_t i = 0; i < nets.size(); ++i) {
         if (!shape.netCuts[i])
             continue;
-        const LineCut &cut = *shape.netCuts[i];
+        const LineCut &cut = shape.netCuts[i]->cut;
         // Without what its own partner does to the slit.
         PlusSites others = plus[i];
         SideForce own;
@@ -231,8 +234,8 @@ std::vector<NetForce> netForces(const PieceShape &shape, const SummedForces &for
     return nets;
 }
 
-NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                      SampleKind kind, const PlusSites &sites, const SideForce &plus)
+NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
+                     SampleKind kind, const PlusSites &sites, const SideForce &plus)
 {
     const SectionOutline &outline = piece.shape.outline;
     NeckStress result;
@@ -270,17 +273,30 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
     const double strength = piece.sheet.strength;
     result.neckUse = strength > 0.0 ? result.stress.neck / strength : 0.0;
     result.cornerUse = strength > 0.0 ? result.stress.corner / strength : 0.0;
-    result.doubts = doubtsOf(piece, cut, neck, sites, result.forces);
-    result.isLocal = isWithinPatch(piece, neck, sites) ||
-                     (neck.isCap && result.doubts.isNearForce &&
-                      (kind == SampleKind::Grid || kind == SampleKind::Refined));
     return result;
 }
 
-/// What leans more when it has been squared (22.5°, radians) runs along an edge, round a corner: it
-/// cuts off a sliver, and is thinner the nearer it comes to that edge. Whether a line of the grid
-/// is near enough to find it is chance.
-constexpr double kStillSquare = std::numbers::pi / 8;
+void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
+               const PlusSites &sites, NeckStress &stress)
+{
+    stress.doubts = doubtsOf(piece, cut, neck, sites, stress.forces);
+    stress.isLocal = isWithinPatch(piece, neck, sites) ||
+                     (neck.isCap && stress.doubts.isNearForce &&
+                      (stress.kind == SampleKind::Grid || stress.kind == SampleKind::Refined));
+}
+
+NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
+                      SampleKind kind, const PlusSites &sites, const SideForce &plus)
+{
+    NeckStress stress = undoubted(piece, cut, chord, neck, kind, sites, plus);
+    addDoubts(piece, cut, neck, sites, stress);
+    return stress;
+}
+
+/// What leans more when it has been squared (22.5°, its cosine) runs along an edge, round a corner:
+/// it cuts off a sliver, and is thinner the nearer it comes to that edge. Whether a line of the
+/// grid is near enough to find it is chance.
+constexpr double kStillSquare = 0.9238795325112867;
 
 std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, double spacing)
 {
@@ -291,7 +307,7 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, do
         const auto found =
             squareNeck(piece.shape, cutter, {seed.middle() + shift * seed.normal(), across},
                        spacing, seed.length);
-        if (!found || found->neck.lean > kStillSquare)
+        if (!found || found->neck.straight < kStillSquare)
             return 0.0;
         across = found->neck.across;
         const LineCut &cut = found->cut.cut;

@@ -31,6 +31,13 @@ struct LoadedPiece
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
                       SampleKind kind, const PlusSites &sites, const SideForce &plus);
 
+/// The two halves of it: the stress; and how far to trust it, and whether it is one of a member,
+/// which takes longer.
+NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
+                     SampleKind kind, const PlusSites &sites, const SideForce &plus);
+void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
+               const PlusSites &sites, NeckStress &stress);
+
 /// The worst cut square to a member, along it by golden section, `spacing` mm to both sides of
 /// where `seed` is. Nothing if there is no neck there.
 std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, double spacing);

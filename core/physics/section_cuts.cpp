@@ -1,6 +1,7 @@
 #include "core/physics/section_cuts.h"
 
 #include "core/base/tolerances.h"
+#include "core/physics/parallel_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,8 @@ namespace {
 constexpr double kMinLigament = 0.05;
 constexpr int kDirections = 8;
 /// A line of the grid that leans by more than one step of the directions is left to a squarer one.
-constexpr double kMaxGridLean = std::numbers::pi / kDirections;
+/// The cosine of that.
+constexpr double kGridStraight = 0.9238795325112867;
 constexpr double kFanStep = std::numbers::pi / 16;
 constexpr int kFanSteps = 6; // to each side
 /// How far below a slit's root the line square to it runs, mm.
@@ -103,7 +105,7 @@ public:
     }
 
     void addGrid(double shift);
-    void addSlit(const SlitLine &slit);
+    void addSlit(std::size_t index);
     void addLigament(const ReentrantCorner &corner);
     bool isPinched() const { return m_isPinched; }
 
@@ -115,8 +117,9 @@ private:
         double from = 0.0, to = 0.0;
     };
 
-    void addLine(const CutLine &line);
-    void addFrom(const CutLine &line, SampleKind kind);
+    void addLine(const CutLine &line, std::span<const OutlineCrossing> crossings);
+    OutlinePoint cornerNear(const Vec2 &wanted) const;
+    void addFrom(const OutlinePoint &point, const Vec2 &direction, SampleKind kind);
     void addChord(CutChord &&found, SampleKind kind);
     bool isKnown(const CutLine &line) const;
 
@@ -133,42 +136,46 @@ private:
 
 void SampleMaker::addGrid(double shift)
 {
+    ParallelLines lines(m_shape.outline);
     for (int i = 0; i < kDirections; ++i) {
-        const Vec2 direction = unit(std::numbers::pi * i / kDirections);
-        const Vec2 step = perpendicular(direction);
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const Vec2 &p : m_shape.outline.rings().front()) {
-            low = std::min(low, step.dot(p));
-            high = std::max(high, step.dot(p));
-        }
-        for (double at = low + shift * m_spacing; at < high; at += m_spacing)
-            addLine({at * step, direction});
+        lines.find(unit(std::numbers::pi * i / kDirections), shift * m_spacing, m_spacing);
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            addLine(lines.line(k), lines.crossings(k));
     }
 }
 
-void SampleMaker::addSlit(const SlitLine &slit)
+/// Of a slit's root, or where the boundary is if it is rounded off.
+OutlinePoint SampleMaker::cornerNear(const Vec2 &wanted) const
 {
+    const ReentrantCorner *nearest = nullptr;
+    double least = kCornerReach;
+    m_shape.cornerBoxes.any([&](const Box2 &box) { return distanceToBox(box, wanted) < least; },
+                            [&](std::size_t i) {
+                                const ReentrantCorner &corner = m_shape.corners[i];
+                                if (const double away = (corner.at - wanted).norm(); away < least) {
+                                    least = away;
+                                    nearest = &corner;
+                                }
+                                return false;
+                            });
+    if (nearest)
+        return {nearest->ring, nearest->vertex, 0.0, nearest->at};
+    return m_shape.outline.nearest(wanted);
+}
+
+void SampleMaker::addSlit(std::size_t index)
+{
+    const SlitLine &slit = m_shape.slits[index];
     const Vec2 side = perpendicular(slit.opening);
     for (const double sign : {-0.5, 0.5}) {
-        Vec2 corner = slit.root + sign * slit.width * side;
-        double least = kCornerReach;
-        const Vec2 wanted = corner;
-        m_shape.cornerBoxes.any([&](const Box2 &box) { return distanceToBox(box, wanted) < least; },
-                                [&](std::size_t i) {
-                                    const Vec2 &at = m_shape.corners[i].at;
-                                    if (const double away = (at - wanted).norm(); away < least) {
-                                        least = away;
-                                        corner = at;
-                                    }
-                                    return false;
-                                });
-        if (least == kCornerReach) // rounded off
-            corner = m_shape.outline.nearest(corner).at;
+        const OutlinePoint corner = cornerNear(slit.root + sign * slit.width * side);
+        m_cutter.focus(corner.at, m_reach);
         for (int k = -kFanSteps; k <= kFanSteps; ++k)
-            addFrom({corner, rotated(-slit.opening, k * kFanStep)}, SampleKind::SlitFan);
-        addFrom({corner, sign > 0.0 ? side : Vec2(-side)}, SampleKind::ProngRoot);
+            addFrom(corner, rotated(-slit.opening, k * kFanStep), SampleKind::SlitFan);
+        addFrom(corner, sign > 0.0 ? side : Vec2(-side), SampleKind::ProngRoot);
     }
-    addFrom({m_shape.outline.nearest(slit.root).at, -slit.opening}, SampleKind::NetSection);
+    if (m_shape.netCuts[index])
+        addChord(CutChord(*m_shape.netCuts[index]), SampleKind::NetSection);
     const CutLine below{slit.root - kBelowRoot * slit.opening, side};
     if (isKnown(below))
         return;
@@ -210,18 +217,21 @@ void SampleMaker::addLigament(const ReentrantCorner &corner)
             nearest = *p;
         }
     });
-    if (least < std::numeric_limits<double>::infinity())
-        addFrom({corner.at, nearest / least}, SampleKind::Ligament);
+    if (least < std::numeric_limits<double>::infinity()) {
+        m_cutter.focus(corner.at, kNextReach * least);
+        addFrom({corner.ring, corner.vertex, 0.0, corner.at}, nearest / least,
+                SampleKind::Ligament);
+    }
 }
 
-void SampleMaker::addLine(const CutLine &line)
+void SampleMaker::addLine(const CutLine &line, std::span<const OutlineCrossing> crossings)
 {
-    m_cutter.eachOn(line, [&](LineCut &cut, auto weigh) {
+    m_cutter.eachOf(line, crossings, [&](LineCut &cut, auto weigh) {
         m_found.clear();
         const int index = static_cast<int>(m_cuts.size());
         for (std::size_t i = 0; i < cut.chords.size(); ++i) {
             const Neck neck = leaningNeck(m_shape, line, cut.chords[i]);
-            if (counts(neck) && neck.lean <= kMaxGridLean)
+            if (counts(neck) && neck.straight >= kGridStraight)
                 m_found.push_back({SampleKind::Grid, index, static_cast<int>(i), neck});
         }
         if (m_found.empty() || !weigh())
@@ -234,9 +244,11 @@ void SampleMaker::addLine(const CutLine &line)
     });
 }
 
-void SampleMaker::addFrom(const CutLine &line, SampleKind kind)
+void SampleMaker::addFrom(const OutlinePoint &point, const Vec2 &direction, SampleKind kind)
 {
-    if (auto found = m_cutter.from(line, m_reach))
+    const CutLine line{point.at, direction};
+    if (auto found = point.share == 0.0 ? m_cutter.fromVertex(line, point.ring, point.edge, m_reach)
+                                        : m_cutter.from(line, m_reach))
         addChord(*std::move(found), kind);
 }
 
@@ -263,8 +275,8 @@ SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_sha
         return;
     SampleMaker maker(m_shape, m_spacing, m_cuts, m_samples);
     maker.addGrid(std::clamp(options.gridShift, 0.0, 1.0));
-    for (const SlitLine &slit : m_shape.slits)
-        maker.addSlit(slit);
+    for (std::size_t i = 0; i < m_shape.slits.size(); ++i)
+        maker.addSlit(i);
     for (const ReentrantCorner &corner : m_shape.corners)
         maker.addLigament(corner);
     m_isPinched = maker.isPinched();

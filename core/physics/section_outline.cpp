@@ -191,71 +191,203 @@ LineSpan SectionOutline::spanOn(const CutLine &line) const
     return {middle - reach, middle + reach};
 }
 
-void SectionOutline::crossingsOf(std::size_t ring, const CutLine &line, const LineSpan &span,
-                                 LineCrossings &found) const
+namespace {
+
+/// Takes edges of a ring in turn, and adds where the line crosses them.
+class EdgeCrosser
 {
-    const Polygon &points = m_rings[ring];
-    const Vec2 second = line.at(kCutBase);
-    const Vec2 slope = line.direction.cwiseAbs();
-    const auto isNear = [&](const Box2 &box) {
-        const Vec2 half = 0.5 * box.size();
-        const Vec2 middle = box.min + half - line.point;
-        const double reach = slope.y() * half.x() + slope.x() * half.y() + kClipGrid;
-        if (std::abs(cross(line.direction, middle)) > reach)
-            return false;
-        const double along = line.direction.dot(middle), length = slope.dot(half) + kClipGrid;
-        return along + length >= span.from && along - length <= span.to;
-    };
-    const auto sideOf = [&](const Vec2 &p) {
-        // Where a cut begins at a vertex, that is on it: no need to work it out.
-        return p == line.point ? 0.0 : sideOfLine(line.point, second, p);
-    };
-    // Edges of a run follow each other: of each, the side of its end is that of the next one's
-    // beginning.
-    std::size_t known = points.size();
-    double knownSide = 0.0;
-    m_edges[ring].any(isNear, [&](std::size_t i) {
-        const std::size_t j = i + 1 == points.size() ? 0 : i + 1;
-        const double here = known == i ? knownSide : sideOf(points[i]);
-        const double there = sideOf(points[j]);
-        known = j;
-        knownSide = there;
-        if ((here == 0.0 || there == 0.0) && !found.isTouched) {
-            found.isTouched = true;
-            found.touchedRight = found.touchedLeft;
+public:
+    EdgeCrosser(const Polygon &points, int ring, const CutLine &line, const LineSpan &span,
+                LineCrossings &found)
+        : m_points(points), m_ring(ring), m_line(line), m_second(line.at(kCutBase)), m_span(span),
+          m_found(found), m_known(points.size())
+    {
+    }
+
+    void take(std::size_t i)
+    {
+        const std::size_t j = i + 1 == m_points.size() ? 0 : i + 1;
+        // Edges of a run follow each other: of each, the side of its end is that of the next one's
+        // beginning.
+        const double here = m_known == i ? m_side : sideOf(m_points[i]);
+        const double there = sideOf(m_points[j]);
+        m_known = j;
+        m_side = there;
+        if ((here == 0.0 || there == 0.0) && !m_found.isTouched) {
+            m_found.isTouched = true;
+            m_found.touchedRight = m_found.touchedLeft;
         }
         const bool crosses = (here >= 0.0) != (there >= 0.0);
-        const bool crossesOther = found.isTouched && (here > 0.0) != (there > 0.0);
+        const bool crossesOther = m_found.isTouched && (here > 0.0) != (there > 0.0);
         if (!crosses && !crossesOther)
-            return false;
-        const double before = std::abs(line.across(points[i]));
-        const double after = std::abs(line.across(points[j]));
-        const double share = before + after > 0.0 ? before / (before + after) : 0.0;
-        const Vec2 p = points[i] + share * (points[j] - points[i]);
-        const double along = line.along(p);
-        if (along < span.from || along > span.to)
-            return false;
-        const OutlinePoint point{static_cast<int>(ring), static_cast<int>(i), share, p};
+            return;
+        const OutlineCrossing crossing =
+            crossingOf(m_points, m_ring, static_cast<int>(i), m_line, there >= 0.0);
+        if (crossing.along < m_span.from || crossing.along > m_span.to)
+            return;
         if (crosses)
-            found.touchedLeft.push_back({along, point, there >= 0.0});
-        if (crossesOther)
-            found.touchedRight.push_back({along, point, there > 0.0});
-        return false;
-    });
+            m_found.touchedLeft.push_back(crossing);
+        if (crossesOther) {
+            m_found.touchedRight.push_back(crossing);
+            m_found.touchedRight.back().isToLeft = there > 0.0;
+        }
+    }
+
+private:
+    double sideOf(const Vec2 &p) const
+    {
+        // Where a cut begins at a vertex, that is on it: no need to work it out.
+        return p == m_line.point ? 0.0 : sideOfLine(m_line.point, m_second, p);
+    }
+
+    const Polygon &m_points;
+    int m_ring;
+    const CutLine &m_line;
+    Vec2 m_second;
+    const LineSpan &m_span;
+    LineCrossings &m_found;
+    std::size_t m_known;
+    double m_side = 0.0;
+};
+
+/// Boxes that come near to a stretch of a line.
+class NearLine
+{
+public:
+    NearLine(const CutLine &line, const LineSpan &span)
+        : m_line(line), m_span(span), m_slope(line.direction.cwiseAbs())
+    {
+    }
+
+    bool operator()(const Box2 &box) const
+    {
+        const Vec2 half = 0.5 * box.size();
+        const Vec2 middle = box.min + half - m_line.point;
+        const double reach = m_slope.y() * half.x() + m_slope.x() * half.y() + kClipGrid;
+        if (std::abs(cross(m_line.direction, middle)) > reach)
+            return false;
+        const double along = m_line.direction.dot(middle);
+        const double length = m_slope.dot(half) + kClipGrid;
+        return along + length >= m_span.from && along - length <= m_span.to;
+    }
+
+private:
+    const CutLine &m_line;
+    const LineSpan &m_span;
+    Vec2 m_slope;
+};
+
+void sortAlong(std::vector<OutlineCrossing> &crossings)
+{
+    std::sort(crossings.begin(), crossings.end(),
+              [](const OutlineCrossing &a, const OutlineCrossing &b) { return a.along < b.along; });
+}
+
+} // namespace
+
+OutlineCrossing crossingOf(const Polygon &ring, int index, int edge, const CutLine &line,
+                           bool isToLeft)
+{
+    const Vec2 &a = ring[at(edge)], &b = ring[at(edge) + 1 == ring.size() ? 0 : at(edge) + 1];
+    const double before = std::abs(line.across(a)), after = std::abs(line.across(b));
+    const double share = before + after > 0.0 ? before / (before + after) : 0.0;
+    const Vec2 p = a + share * (b - a);
+    return {line.along(p), {index, edge, share, p}, isToLeft};
 }
 
 void SectionOutline::crossings(const CutLine &line, const LineSpan &span,
                                LineCrossings &found) const
 {
-    found.touchedLeft.clear();
-    found.touchedRight.clear();
-    found.isTouched = false;
+    found.clear();
+    const NearLine isNear(line, span);
+    for (std::size_t ring = 0; ring < m_rings.size(); ++ring) {
+        EdgeCrosser crosser(m_rings[ring], static_cast<int>(ring), line, span, found);
+        m_edges[ring].any(isNear, [&crosser](std::size_t edge) {
+            crosser.take(edge);
+            return false;
+        });
+    }
+    sortAlong(found.touchedLeft);
+    sortAlong(found.touchedRight);
+}
+
+void SectionOutline::crossings(const CutLine &line, const LineSpan &span,
+                               const std::vector<EdgeRun> &among, LineCrossings &found) const
+{
+    found.clear();
+    const NearLine isNear(line, span);
+    for (const EdgeRun &run : among) {
+        if (!isNear(run.box))
+            continue;
+        EdgeCrosser crosser(m_rings[at(run.ring)], run.ring, line, span, found);
+        for (std::size_t edge = run.begin; edge < run.end; ++edge)
+            crosser.take(edge);
+    }
+    sortAlong(found.touchedLeft);
+    sortAlong(found.touchedRight);
+}
+
+bool SectionOutline::leadsInside(const Vec2 &direction, int ring, int vertex) const
+{
+    const auto isInside = [&](int edge) {
+        return direction.dot(outward(ring, edge)) < -kSameDirection;
+    };
+    const bool isBefore = isInside(vertex - 1), isAfter = isInside(vertex);
+    return turn(ring, vertex) > 0.0 ? isBefore && isAfter : isBefore || isAfter;
+}
+
+std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, int ring, int vertex,
+                                                          const std::vector<EdgeRun> &among) const
+{
+    if (!leadsInside(line.direction, ring, vertex))
+        return std::nullopt;
+    const Vec2 second = line.at(kCutBase);
+    std::optional<OutlineCrossing> first;
+    LineSpan span{0.0, std::numeric_limits<double>::infinity()};
+    const NearLine isNear(line, span);
+    for (const EdgeRun &run : among) {
+        if (!isNear(run.box))
+            continue;
+        const Polygon &points = m_rings[at(run.ring)];
+        const int n = static_cast<int>(points.size());
+        double here = 0.0;
+        for (std::size_t i = run.begin; i <= run.end; ++i) {
+            const Vec2 &p = points[i == points.size() ? 0 : i];
+            const double there = p == line.point ? 0.0 : sideOfLine(line.point, second, p);
+            if (there == 0.0 && p != line.point && line.along(p) > 0.0 && line.along(p) <= span.to)
+                return std::nullopt;
+            const int edge = static_cast<int>(i) - 1;
+            const bool isOwn = run.ring == ring && (edge == vertex || (edge + 1) % n == vertex);
+            if (i > run.begin && !isOwn && (here > 0.0) != (there > 0.0)) {
+                const OutlineCrossing found = crossingOf(points, run.ring, edge, line, there > 0.0);
+                if (found.along > 0.0 && found.along < span.to) {
+                    first = found;
+                    span.to = found.along;
+                }
+            }
+            here = there;
+        }
+    }
+    return first && first->isToLeft ? first : std::nullopt;
+}
+
+OutlinePoint SectionOutline::entryAt(const CutLine &line, int ring, int vertex) const
+{
+    const Vec2 &p = m_rings[at(ring)][at(vertex)];
+    if (sideOfLine(line.point, line.at(kCutBase), fff::around(m_rings[at(ring)], vertex + 1)) < 0.0)
+        return {ring, vertex, 0.0, p};
+    const int before = vertex == 0 ? static_cast<int>(m_rings[at(ring)].size()) - 1 : vertex - 1;
+    return {ring, before, 1.0, p};
+}
+
+void SectionOutline::runsNear(const Vec2 &point, double reach, std::vector<EdgeRun> &found) const
+{
+    found.clear();
     for (std::size_t ring = 0; ring < m_rings.size(); ++ring)
-        crossingsOf(ring, line, span, found);
-    for (std::vector<OutlineCrossing> *list : {&found.touchedLeft, &found.touchedRight})
-        std::sort(
-            list->begin(), list->end(),
-            [](const OutlineCrossing &a, const OutlineCrossing &b) { return a.along < b.along; });
+        m_edges[ring].eachRun([&](const Box2 &box) { return distanceToBox(box, point) <= reach; },
+                              [&](const Box2 &box, std::size_t begin, std::size_t end) {
+                                  found.push_back({static_cast<int>(ring), begin, end, box});
+                              });
 }
 
 OutlinePoint SectionOutline::nearest(const Vec2 &point) const

@@ -6,6 +6,7 @@
 #include "core/geometry/polygon.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -73,7 +74,26 @@ struct LineCrossings
 {
     std::vector<OutlineCrossing> touchedLeft, touchedRight;
     bool isTouched = false;
+
+    void clear()
+    {
+        touchedLeft.clear();
+        touchedRight.clear();
+        isTouched = false;
+    }
 };
+
+/// Edges of a ring that follow each other, and a box around them.
+struct EdgeRun
+{
+    int ring = 0;
+    std::size_t begin = 0, end = 0;
+    Box2 box;
+};
+
+/// Where the line crosses an edge of a ring, of which it is known that it does.
+OutlineCrossing crossingOf(const Polygon &ring, int index, int edge, const CutLine &line,
+                           bool isToLeft);
 
 /// A piece of material: one outer ring, holes inside and apart from it. Rings may be given in
 /// either orientation; points repeated at once are dropped, rings of fewer than three points too.
@@ -113,6 +133,18 @@ public:
 
     /// All crossings within the span. O(edges near it).
     void crossings(const CutLine &line, const LineSpan &span, LineCrossings &found) const;
+    /// The same for those who cut one place many times: among the edges that are near to it.
+    void crossings(const CutLine &line, const LineSpan &span, const std::vector<EdgeRun> &among,
+                   LineCrossings &found) const;
+    /// From a vertex on into the material, where the line begins and which way it goes: the first
+    /// crossing, among these edges. Nothing if it does not go there, if vertices lie on the line up
+    /// to it, or rings touch.
+    std::optional<OutlineCrossing> firstAhead(const CutLine &line, int ring, int vertex,
+                                              const std::vector<EdgeRun> &among) const;
+    /// Where a ring goes over to the right of such a line, at the vertex that this begins at.
+    OutlinePoint entryAt(const CutLine &line, int ring, int vertex) const;
+    /// Of the edges nearer to the point than `reach` mm all, and some more.
+    void runsNear(const Vec2 &point, double reach, std::vector<EdgeRun> &found) const;
     /// What of the line can be in the material, with some to spare.
     LineSpan spanOn(const CutLine &line) const;
 
@@ -147,8 +179,7 @@ public:
 private:
     void addRing(const Polygon &ring, bool isHole);
     void buildBridges();
-    void crossingsOf(std::size_t ring, const CutLine &line, const LineSpan &span,
-                     LineCrossings &found) const;
+    bool leadsInside(const Vec2 &direction, int ring, int vertex) const;
 
     std::vector<Polygon> m_rings;
     std::vector<std::vector<Vec2>> m_outward;

@@ -61,6 +61,9 @@ struct CutShares
 
 /// Finite, and no more than any sheet is loaded with; others count as none.
 bool isUsableForce(const AppliedForce &force);
+std::vector<AppliedForce> usableForces(const std::vector<AppliedForce> &forces);
+/// A sheet there may be.
+bool isUsableSheet(const SheetMaterial &sheet);
 
 /// `thickness` of the sheet, mm.
 CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &forces,

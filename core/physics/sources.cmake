@@ -23,9 +23,11 @@ target_sources(fff_core PRIVATE
     physics/plate_flexibility.cpp
     physics/plate_locator.cpp
     physics/plate_mesh.cpp
+    physics/parallel_lines.cpp
     physics/plate_model.cpp
     physics/plate_sizing.cpp
     physics/plate_stress.cpp
+    physics/sample_stresses.cpp
     physics/section_cuts.cpp
     physics/section_outline.cpp
     physics/section_stress.cpp

@@ -1,6 +1,7 @@
 // Cuts through a piece: what they part, and on which side forces are.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/physics/parallel_lines.h"
 #include "tests/core/physics/loaded_section.h"
 #include "tests/test_program.h"
 
@@ -94,6 +95,8 @@ private Q_SLOTS:
     void ringsMayRunEitherWay();
     void thousandsOfVertices();
     void nearAsOnAllOfTheLine();
+    void parallelLinesAsOneByOne();
+    void fromAVertexToTheNearestEdge();
 };
 
 void TestLineCut::sidesAreThoseOfClipper()
@@ -312,6 +315,100 @@ void TestLineCut::nearAsOnAllOfTheLine()
     }
     QVERIFY2(begun > 100 && containing > 50 && overHoles > 20,
              qPrintable(QStringLiteral("%1 %2 %3").arg(begun).arg(containing).arg(overHoles)));
+}
+
+void TestLineCut::parallelLinesAsOneByOne()
+{
+    // Wrong: of many lines at once another crossing than of each by itself; with vertices on them.
+    std::mt19937 random(7);
+    int touched = 0, crossed = 0;
+    for (int i = 0; i < 200; ++i) {
+        Region region = starWithHoles(random);
+        if (i % 2 == 1) { // on a grid of 1 mm, as the lines are
+            const auto snap = [](Polygon &ring) {
+                for (Vec2 &p : ring)
+                    p = Vec2(std::round(p.x()), std::round(p.y()));
+            };
+            snap(region.outer);
+            for (Polygon &hole : region.holes)
+                snap(hole);
+        }
+        const SectionOutline outline(region);
+        ParallelLines lines(outline);
+        for (int k = 0; k < 8; ++k) {
+            const double a = std::numbers::pi * k / 8;
+            lines.find({std::cos(a), std::sin(a)}, i % 4 == 1 ? 1.0 : 0.37, 1.0);
+            LineCrossings expected;
+            for (std::size_t n = 0; n < lines.size(); ++n) {
+                outline.crossings(lines.line(n), {}, expected);
+                const auto found = lines.crossings(n);
+                QCOMPARE(found.size(), expected.touchedLeft.size());
+                touched += expected.isTouched ? 1 : 0;
+                for (std::size_t c = 0; c < found.size(); ++c, ++crossed) {
+                    const OutlineCrossing &one = expected.touchedLeft[c];
+                    QCOMPARE(found[c].along, one.along);
+                    QCOMPARE(found[c].isToLeft, one.isToLeft);
+                    QCOMPARE(found[c].point.ring, one.point.ring);
+                }
+            }
+        }
+    }
+    QVERIFY(touched > 1000 && crossed > 100000);
+}
+
+void TestLineCut::fromAVertexToTheNearestEdge()
+{
+    // Wrong: a cut from a vertex into the material ends elsewhere than on the first edge ahead.
+    std::mt19937 random(19);
+    std::uniform_real_distribution<double> share(0.02, 0.98);
+    int found = 0, missed = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Region region = starWithHoles(random);
+        const SectionOutline outline(region);
+        LineCutter cutter(outline);
+        const int n = static_cast<int>(outline.rings().front().size());
+        for (int v = 0; v < n; ++v) {
+            const Vec2 &at = outline.vertex(0, v);
+            const double next = std::atan2((outline.vertex(0, v + 1) - at).y(),
+                                           (outline.vertex(0, v + 1) - at).x());
+            const double inside = std::numbers::pi - outline.turn(0, v);
+            const double angle = next + share(random) * inside;
+            const CutLine line{at, {std::cos(angle), std::sin(angle)}};
+            double nearest = std::numeric_limits<double>::infinity();
+            bool isOuter = false;
+            for (int ring = 0; ring < static_cast<int>(outline.rings().size()); ++ring) {
+                const int size =
+                    static_cast<int>(outline.rings()[static_cast<std::size_t>(ring)].size());
+                for (int e = 0; e < size; ++e) {
+                    const Vec2 p = outline.vertex(ring, e) - at;
+                    const Vec2 way = outline.vertex(ring, e + 1) - at - p;
+                    const double along = cross(p, way) / cross(line.direction, way);
+                    const double of = cross(p, line.direction) / cross(line.direction, way);
+                    if (of >= 0.0 && of <= 1.0 && along > 1e-6 && along < nearest) {
+                        nearest = along;
+                        isOuter = ring == 0;
+                    }
+                }
+            }
+            cutter.focus(at, 200.0);
+            const auto cut = cutter.fromVertex(line, 0, v, 200.0);
+            if (!cut) {
+                ++missed;
+                continue;
+            }
+            const Chord &chord = cut->cut.chords[static_cast<std::size_t>(cut->chord)];
+            QVERIFY2(
+                std::abs(chord.from) < 1e-9 && std::abs(chord.to - nearest) < 1e-6,
+                qPrintable(
+                    QStringLiteral("%1 %2: %3, not %4").arg(i).arg(v).arg(chord.to).arg(nearest)));
+            if (isOuter)
+                QVERIFY(std::abs(cut->cut.plus.area + cut->cut.minus.area - outline.total().area) <
+                        1e-6);
+            ++found;
+        }
+    }
+    QVERIFY2(found > 5000 && missed < found / 100,
+             qPrintable(QStringLiteral("%1 found, %2 missed").arg(found).arg(missed)));
 }
 
 FFF_TEST(TestLineCut)
