@@ -1,7 +1,7 @@
 #include "core/analysis/captives.h"
 
 #include "core/assembly/collisions.h"
-#include "core/assembly/locking.h"
+#include "core/assembly/coming_away.h"
 #include "core/base/groups.h"
 #include "core/base/tolerances.h"
 
@@ -132,20 +132,6 @@ std::vector<BodyPointer> pointersOf(const std::vector<int> &group, const Bodies 
     return pointers;
 }
 
-/// Adds how a touches b, each by what it is of the things.
-void addContacts(const Body &a, const Body &b, int thingOfA, int thingOfB,
-                 std::vector<RigidContact> &contacts)
-{
-    if (distanceBetween(a.box(), b.box()) > kEscape)
-        return;
-    for (const Contact &contact : contactsOf(a, b, kEscape))
-        contacts.push_back({thingOfA, thingOfB, contact});
-    for (Contact contact : contactsOf(b, a, kEscape)) {
-        contact.normal = -contact.normal; // as a feels it
-        contacts.push_back({thingOfA, thingOfB, contact});
-    }
-}
-
 /// Whether groups get away, each worked out once among the same bodies.
 class Escapes
 {
@@ -182,7 +168,9 @@ public:
             m_cache.together.begin(), m_cache.together.end(), [&](const KnownTogether &one) {
                 return one.groups == looked.groups && one.near == looked.near;
             });
-        looked.getAway = known != m_cache.together.end() ? known->getAway : getAway(looked);
+        looked.getAway = known != m_cache.together.end()
+                             ? known->getAway
+                             : whatComesAway({looked.groups, looked.near});
         return m_together.emplace_back(std::move(looked)).getAway;
     }
 
@@ -197,21 +185,6 @@ private:
     using Known = CaptiveCache::Known;
     using KnownTogether = CaptiveCache::KnownTogether;
 
-    static std::vector<char> getAway(const KnownTogether &looked)
-    {
-        std::vector<RigidContact> contacts;
-        for (std::size_t i = 0; i < looked.groups.size(); ++i)
-            for (const BodyPointer &body : looked.groups[i]) {
-                for (const BodyPointer &other : looked.near)
-                    addContacts(*body, *other, static_cast<int>(i), RigidContact::kAtRest,
-                                contacts);
-                for (std::size_t k = i + 1; k < looked.groups.size(); ++k)
-                    for (const BodyPointer &other : looked.groups[k])
-                        addContacts(*body, *other, static_cast<int>(i), static_cast<int>(k),
-                                    contacts);
-            }
-        return movable(contacts, static_cast<int>(looked.groups.size()), {kGripLoss, kCaptiveMove});
-    }
     bool keep(Known known, bool isNew)
     {
         const bool getsAway = known.getsAway;

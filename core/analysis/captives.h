@@ -35,17 +35,16 @@ struct CaptiveCache
 /// Each is first shifted alone, in the 26 directions to faces, edges and corners of a cube, in the
 /// frame of each body of the group and of each that it touches, and along the line that both planes
 /// have. What is stopped is looked at together with all others that are, as rigid things that press
-/// on each other and on the first group (locking.h). Groups of more than kMostInGroup bodies, all
-/// beyond kMostGroups, and more than kMostTogether that touch each other are not looked at: they
-/// stay by themselves. O(groups · neighbours · directions) of looks at pairs of solids, once more
-/// after each that gets away; nothing for a group that is among the same bodies as the last time.
+/// on each other and on the first group (coming_away.h). Groups of more than kMostInGroup bodies,
+/// all beyond kMostGroups, and more than kMostTogether that touch each other are not looked at:
+/// they stay by themselves. O(groups · neighbours · directions) of looks at pairs of solids, once
+/// more after each that gets away; nothing for a group that is among the same bodies as the last
+/// time.
 std::vector<std::vector<int>>
 withCaptives(const Analysis &analysis, std::vector<std::vector<int>> groups, CaptiveCache &cache);
 
 /// mm; a press fit gives less.
 inline constexpr double kEscape = 0.3;
-/// mm: what moves by no more, once cutting has taken off kGripLoss at every contact, is held.
-inline constexpr double kCaptiveMove = 0.7;
 inline constexpr std::size_t kMostInGroup = 8, kMostGroups = 32, kMostTogether = 6;
 
 } // namespace fff

@@ -31,9 +31,9 @@ struct Touch
 class Obstacle
 {
 public:
-    Obstacle(const Body &body, double reach)
+    Obstacle(const Body &body, double reach, double rim)
         : m_body(body), m_normal(body.frame().normal()), m_half(0.5 * body.thickness()),
-          m_reach(reach), m_tree(body.outline().region)
+          m_reach(reach), m_rim(rim), m_tree(body.outline().region)
     {
     }
 
@@ -46,11 +46,11 @@ public:
         const Vec2 q = m_body.frame().toLocal(p);
         const bool isInside = m_tree.locate(q) == Side::Inside;
         std::optional<Touch> touch;
-        if (isInside && beyond >= -m_reach)
+        if (isInside && beyond >= -m_reach && !isAtRim(q))
             touch = Touch{{nullptr, height < 0.0 ? -1 : 1},
-                          {p, height < 0.0 ? Vec3(-m_normal) : m_normal, std::max(beyond, 0.0)}};
+                          {p, height < 0.0 ? Vec3(-m_normal) : m_normal, beyond}};
         // Beside a wall only between the faces: beyond them it is free to pass.
-        if (!(beyond < -kTouchingDepth))
+        if (!(beyond < -m_rim))
             return touch;
         const double limit = touch ? std::min(m_reach, -beyond) : m_reach;
         if (std::optional<Touch> wall = wallAt(p, q, isInside, limit))
@@ -59,6 +59,23 @@ public:
     }
 
 private:
+    /// Of a point inside; a rim that is no more than rounding is not looked for.
+    bool isAtRim(const Vec2 &q) const
+    {
+        if (!(m_rim > kTouchingDepth))
+            return false;
+        bool isAt = false;
+        const Vec2 around(m_rim, m_rim);
+        m_tree.visitNear(Box2{q - around, q + around}, [&](const Vec2 &a, const Vec2 &b) {
+            const Vec2 edge = b - a;
+            const double length = edge.squaredNorm();
+            const double share =
+                length > 0.0 ? std::clamp(edge.dot(q - a) / length, 0.0, 1.0) : 0.0;
+            isAt = isAt || (a + share * edge - q).norm() < m_rim;
+        });
+        return isAt;
+    }
+
     /// Before the nearest wall, no more than `limit` away.
     std::optional<Touch> wallAt(const Vec3 &p, const Vec2 &q, bool isInside, double limit) const
     {
@@ -77,8 +94,7 @@ private:
                 return; // the back of a wall
             if (std::abs(beside) <= nearest) {
                 nearest = std::abs(beside);
-                touch = Touch{{&a, 0},
-                              {p, m_body.frame().directionToWorld(out), std::max(beside, 0.0)}};
+                touch = Touch{{&a, 0}, {p, m_body.frame().directionToWorld(out), beside}};
             }
         });
         return touch;
@@ -86,7 +102,7 @@ private:
 
     const Body &m_body;
     Vec3 m_normal;
-    double m_half, m_reach;
+    double m_half, m_reach, m_rim;
     RegionTree m_tree;
 };
 
@@ -113,8 +129,8 @@ std::optional<std::pair<double, double>> within(const Box3 &box, const Vec3 &a, 
 class Edges
 {
 public:
-    Edges(const Body &body, const Body &other, double reach)
-        : m_body(body), m_obstacle(other, reach), m_box(other.box())
+    Edges(const Body &body, const Body &other, double reach, double rim)
+        : m_body(body), m_obstacle(other, reach, rim), m_box(other.box())
     {
         const Vec3 around = Vec3::Constant(reach);
         m_box = Box3{m_box.min - around, m_box.max + around};
@@ -181,9 +197,9 @@ private:
 
 } // namespace
 
-std::vector<Contact> contactsOf(const Body &body, const Body &other, double reach)
+std::vector<Contact> contactsOf(const Body &body, const Body &other, double reach, double rim)
 {
-    return Edges(body, other, reach).contacts();
+    return Edges(body, other, reach, rim).contacts();
 }
 
 } // namespace fff

@@ -3,6 +3,9 @@
 
 #include "core/assembly/contacts.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -13,8 +16,22 @@ struct RigidContact
     static constexpr int kAtRest = -1;
 
     int thing = 0, other = kAtRest;
-    Contact contact; // a point of the thing before the other one; of either, it is the same
+    Contact contact;   // a point of the thing before the other one; of either, it is the same
+    double give = 0.0; // mm: so deep the two may be in each other there
 };
+
+/// Where a thing touches, about which it turns.
+struct Pivot
+{
+    Vec3 at = Vec3::Zero();
+    double radius = 1.0; // mm
+};
+/// Of each thing the middle of the box of its contacts, and half of its diagonal.
+std::vector<Pivot> pivotsOf(const std::vector<RigidContact> &contacts, int things);
+
+/// How things move, mm, six numbers a thing: along the axes of the world, and by turns about these
+/// through its pivot, times the radius.
+using Motion = Eigen::VectorXd;
 
 /// From where on a thing is loose.
 struct Looseness
@@ -23,17 +40,36 @@ struct Looseness
     double limit = 0.5; // mm: what may move by no more is held
 };
 
-/// Of each thing whether it can be moved by more than the limit, in whatever way, turns included,
-/// the others moving as they like: along an axis of the world, or, where it touches, by a turn
-/// about one. Told to first order, for which the limit has to be small against what it touches;
-/// what is held by the curve of a surface alone counts as movable. Nothing rubs.
+/// What contacts let rigid things do, to first order, for which ways have to be small against what
+/// they touch; what is held by the curve of a surface alone counts as movable. Nothing rubs. Refers
+/// to what it is made of.
 ///
 /// A thing is kept from moving one way where pressing at the contacts can push it back, at no net
 /// push on the others; the gaps there say how far it comes before. Where rounding leaves that open
-/// it counts as movable. Least squares of 6 rows a thing, up to 12 a thing.
+/// it counts as movable.
 /// Source  Z. Wang, P. Song, M. Pauly 2018, DESIA, 4.1: what is interlocked can balance every
 /// force.
-std::vector<char> movable(const std::vector<RigidContact> &contacts, int things,
-                          const Looseness &looseness);
+class Locking
+{
+public:
+    Locking(const std::vector<RigidContact> &contacts, const std::vector<Pivot> &pivots)
+        : m_contacts(contacts), m_pivots(pivots)
+    {
+    }
+
+    /// A motion that changes one of its numbers by more than the limit, up or down (±1), the others
+    /// as they like; none where something stops it. Least squares of 6 rows a thing.
+    std::optional<Motion> motionAlong(Eigen::Index number, double way,
+                                      const Looseness &looseness) const;
+    /// The nearest to what is wanted of those that keep all gaps, within what gives; none where
+    /// there is no such motion.
+    std::optional<Motion> nearestMotion(const Motion &wanted) const;
+
+private:
+    Eigen::MatrixXd columns() const;
+
+    const std::vector<RigidContact> &m_contacts;
+    const std::vector<Pivot> &m_pivots;
+};
 
 } // namespace fff

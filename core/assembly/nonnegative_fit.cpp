@@ -20,7 +20,7 @@ public:
     {
     }
 
-    double distance()
+    const Eigen::VectorXd &rest()
     {
         const Eigen::Index passes = 3 * m_columns.cols();
         for (Eigen::Index pass = 0; pass < passes; ++pass) {
@@ -29,7 +29,7 @@ public:
                 break;
             take(best);
         }
-        return m_rest.norm();
+        return m_rest;
     }
 
 private:
@@ -110,7 +110,12 @@ private:
 
 double distanceFromCone(const Eigen::MatrixXd &columns, const Eigen::VectorXd &target)
 {
-    return Fit(columns, target).distance();
+    return Fit(columns, target).rest().norm();
+}
+
+Eigen::VectorXd restBeyondCone(const Eigen::MatrixXd &columns, const Eigen::VectorXd &target)
+{
+    return Fit(columns, target).rest();
 }
 
 } // namespace fff

@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     assembly/blocking.cpp
     assembly/body.cpp
     assembly/collisions.cpp
+    assembly/coming_away.cpp
     assembly/contacts.cpp
     assembly/crossing.cpp
     assembly/cut_change.cpp

@@ -43,6 +43,20 @@ std::vector<RigidContact> both(std::vector<RigidContact> a, const std::vector<Ri
     return a;
 }
 
+/// Of each thing whether any of its numbers can change by more than the limit.
+std::vector<char> movable(const std::vector<RigidContact> &contacts, int things,
+                          const Looseness &looseness)
+{
+    const std::vector<Pivot> pivots = pivotsOf(contacts, things);
+    const Locking locking(contacts, pivots);
+    std::vector<char> movable(pivots.size(), 0);
+    for (Eigen::Index number = 0; number < 6 * things; ++number)
+        for (const double way : {1.0, -1.0})
+            if (locking.motionAlong(number, way, looseness))
+                movable[static_cast<std::size_t>(number / 6)] = 1;
+    return movable;
+}
+
 Bodies bodiesOf(const Model &model)
 {
     CutCache cache;
@@ -64,6 +78,8 @@ private Q_SLOTS:
     void whatIsBoxedInIsHeld();
     void everyContactThatIsNeededIsNeeded();
     void gapsAreWays();
+    void nearestMotionKeepsGaps();
+    void whatIsTooDeepIsTakenOut();
     void whatPressesOnlyEachOtherIsFree();
     void oneHoldsTheOther();
     void turnedIsTheSame();
@@ -133,6 +149,58 @@ void TestLocking::gapsAreWays()
                 QVERIFY(!isFree);
             QCOMPARE(movable(boxedIn(0, kRest), 1, {gap, limit}).front() != 0, isFree);
         }
+}
+
+// Wrong: a motion that goes into something, or one that could be nearer to what is wanted.
+void TestLocking::nearestMotionKeepsGaps()
+{
+    std::mt19937 random(9);
+    const auto number = [&] { return static_cast<double>(random()) / 2147483647.5 - 1.0; };
+    const std::vector<RigidContact> all = boxedIn(0, kRest, 0.05);
+    for (int round = 0; round < 100; ++round) {
+        std::vector<RigidContact> contacts = all;
+        contacts.resize(3 + random() % 10);
+        const std::vector<Pivot> pivots{{Vec3::Zero(), 1.5}};
+        const auto least = [&](const Motion &motion) {
+            double gap = 1e9;
+            for (const RigidContact &touch : contacts) {
+                const Vec3 by = motion.head<3>() +
+                                Vec3(motion.tail<3>()).cross(touch.contact.at) / pivots[0].radius;
+                gap = std::min(gap, touch.contact.gap + touch.contact.normal.dot(by));
+            }
+            return gap;
+        };
+        Motion wanted(6);
+        for (Eigen::Index i = 0; i < 6; ++i)
+            wanted[i] = 0.2 * number();
+        const std::optional<Motion> motion = Locking(contacts, pivots).nearestMotion(wanted);
+        QVERIFY(motion && least(*motion) > -1e-6);
+        if (least(wanted) > 0.0)
+            QVERIFY((*motion - wanted).norm() < 1e-6);
+        for (int other = 0; other < 50; ++other) {
+            Motion near = *motion;
+            for (Eigen::Index i = 0; i < 6; ++i)
+                near[i] += 0.02 * number();
+            if (least(near) >= 0.0)
+                QVERIFY((near - wanted).norm() > (*motion - wanted).norm() - 1e-6);
+        }
+    }
+}
+
+void TestLocking::whatIsTooDeepIsTakenOut()
+{
+    Contact floor;
+    floor.normal = Vec3::UnitY();
+    floor.gap = -0.05;
+    const std::vector<RigidContact> contacts{{0, kRest, floor, 0.02}};
+    const std::vector<Pivot> pivots(1);
+    const std::optional<Motion> motion = Locking(contacts, pivots).nearestMotion(Motion::Zero(6));
+    QVERIFY(motion && (Vec3(motion->head<3>()) - Vec3(0, 0.03, 0)).norm() < 1e-9);
+    // Nothing gives way on the other side.
+    std::vector<RigidContact> both = contacts;
+    both.push_back(both.front());
+    both.back().contact.normal = -Vec3::UnitY();
+    QVERIFY(!Locking(both, pivots).nearestMotion(Motion::Zero(6)));
 }
 
 // Wrong: what is caught by something that comes along is held.

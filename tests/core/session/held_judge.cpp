@@ -23,7 +23,6 @@ struct Facing
     std::vector<Vec3> ofPiece, ofOther; // points that may come to lie in the other one of the two
     std::vector<Vec3> touching;
     double inEachOther = 0.0;
-    double graze = kFreeDepth;
 };
 
 /// Square to each other: along the line that both planes have, the normal of one of them, and
@@ -75,7 +74,7 @@ Facing facingOf(const JudgedPiece &piece, const JudgedPiece &other, const Slack 
     // no more than the slit is long across the sheet.
     const double reach =
         faceReach + (slack.turn > 0.0 ? 2.0 * std::max(piece.half(), other.half()) : 0.0);
-    Facing facing{&piece, &other, {}, {}, {}, 0.0, slack.graze};
+    Facing facing{&piece, &other, {}, {}, {}, 0.0};
     add(facing, piece.pointsNear(other, reach, faceReach), other, slack.play, facing.ofPiece);
     add(facing, other.pointsNear(piece, reach, faceReach), piece, slack.play, facing.ofOther);
     return facing;
@@ -236,7 +235,7 @@ bool isBlocked(const Facing &facing, const SmallMove &move)
         const auto isAnyIn = [&](const std::vector<Vec3> &points, const SmallMove &by,
                                  const JudgedPiece &in) {
             return std::any_of(points.begin(), points.end(), [&](const Vec3 &p) {
-                return in.isWithin(by.applied(p, share), facing.graze);
+                return in.isWithin(by.applied(p, share), kFreeDepth);
             });
         };
         if (isAnyIn(facing.ofPiece, move, *facing.other) ||

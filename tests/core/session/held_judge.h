@@ -30,8 +30,6 @@ struct Slack
     /// other way.
     double lean = 0.0;
     Vec3 leanAbout = Vec3::Zero();
-    /// In each other by less, mm, two pieces only touch.
-    double graze = kFreeDepth;
     /// mm, of the walls that are said to hold: the play lets a piece turn between them until its
     /// ends are at both walls.
     double depth = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 // What the product says that joints hold, and what it says is loose, before the judge.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/assembly_plan.h"
 #include "core/io/document_file.h"
 #include "tests/core/analysed.h"
 #include "tests/core/session/held_pairs.h"
@@ -22,10 +23,11 @@ constexpr int kMoreMoves = 400;
 /// What came of the verdicts on some models.
 struct Verdicts
 {
-    int held = 0, loose = 0, inEachOther = 0;
-    int grazing = 0;        // of the loose get away with what cutting takes off only
-    QByteArrayList notHeld; // called held, but free beyond their ways
-    QByteArrayList caught;  // called loose, but held by all others together
+    int held = 0, loose = 0;
+    QByteArrayList notHeld;     // called held, but free beyond their ways
+    QByteArrayList caught;      // called loose, but held by all others together
+    QByteArrayList inEachOther; // called either, but in another piece from the start
+    QByteArrayList untold;      // of these: nothing says so
 };
 
 QByteArray nameOf(const QByteArray &model, const Analysis &analysis, int body)
@@ -33,6 +35,21 @@ QByteArray nameOf(const QByteArray &model, const Analysis &analysis, int body)
     const BodyKey &key = analysis.bodies.at(body).key();
     return model + " | piece " + QByteArray::number(key.piece) + " of " +
            QByteArray::fromStdString(analysis.model.nameOf(key.section));
+}
+
+/// Of a piece that is in another one nobody can tell whether that keeps it. It is a fault of its
+/// own, which the product has to find.
+void addInAnother(const QByteArray &model, const Analysis &analysis, int body, Verdicts &verdicts)
+{
+    verdicts.inEachOther += nameOf(model, analysis, body);
+    const ModelPlan plan = planOf(analysis);
+    const auto isIt = [&](int part) {
+        return plan.bodies.at(part).key() == analysis.bodies.at(body).key();
+    };
+    if (std::none_of(plan.overlaps.begin(), plan.overlaps.end(), [&](const PartOverlap &overlap) {
+            return isIt(overlap.a) || isIt(overlap.b);
+        }))
+        verdicts.untold += verdicts.inEachOther.back();
 }
 
 Freedom judgedAmong(const std::vector<JudgedPiece> &pieces, int piece,
@@ -61,7 +78,7 @@ void judgeLoose(const QByteArray &model, const Analysis &analysis,
     }
     verdicts.loose += static_cast<int>(loose.size());
     const auto letGo = [&](int body) { isThere[static_cast<std::size_t>(body)] = 0; };
-    Slack slack;
+    const Slack slack;
     const auto getAwayAlone = [&] {
         bool isAny = false;
         while (std::erase_if(loose, [&](int body) {
@@ -95,21 +112,23 @@ void judgeLoose(const QByteArray &model, const Analysis &analysis,
         }
         return false;
     };
-    while (getAwayAlone() || getAwayTogether()) {
+    // What is in another one is in nobody's way: the two cannot be put where they are.
+    const auto setAside = [&] {
+        const auto isInAnother = [&](int body) {
+            return judgedAmong(pieces, body, isThere).inEachOther >= kFreeDepth;
+        };
+        const auto body = std::find_if(loose.begin(), loose.end(), isInAnother);
+        if (body == loose.end())
+            return false;
+        addInAnother(model, analysis, *body, verdicts);
+        letGo(*body);
+        loose.erase(body);
+        return true;
+    };
+    while (getAwayAlone() || getAwayTogether() || setAside()) {
     }
-    // In the world a cut takes a little off every wall.
-    slack.graze = kGripLoss;
-    const std::size_t held = loose.size();
-    while (getAwayAlone() || getAwayTogether()) {
-    }
-    verdicts.grazing += static_cast<int>(held - loose.size());
-    // Where it is in another one, which is a fault of its own, nobody can tell.
-    for (const int body : loose) {
-        if (judgedAmong(pieces, body, isThere).inEachOther >= kFreeDepth)
-            ++verdicts.inEachOther;
-        else
-            verdicts.caught += nameOf(model, analysis, body);
-    }
+    for (const int body : loose)
+        verdicts.caught += nameOf(model, analysis, body);
 }
 
 /// What no joint holds, but is said to be held, has no shift to get away by from what it is held
@@ -134,7 +153,7 @@ void judgeCaught(const QByteArray &model, const Analysis &analysis,
             std::any_of(freedom.free.begin(), freedom.free.end(),
                         [](const SmallMove &move) { return move.kind == SmallMove::Kind::Shift; });
         if (freedom.inEachOther >= kFreeDepth)
-            ++verdicts.inEachOther; // nobody can tell here either
+            addInAnother(model, analysis, group.front(), verdicts);
         else if (!freedom.touches || isShifted)
             verdicts.notHeld += nameOf(model, analysis, group.front()) + " | by all others";
     }
@@ -190,6 +209,8 @@ private Q_SLOTS:
     void drawings();
     void whatGetsAway_data();
     void whatGetsAway();
+    void whatIsFollowed_data();
+    void whatIsFollowed();
 
 private:
     void judgeFile(const QString &path);
@@ -202,11 +223,14 @@ void TestGrips::say(const Verdicts &verdicts)
         qInfo("not held | %s", line.constData());
     for (const QByteArray &line : verdicts.caught)
         qInfo("caught | %s", line.constData());
-    qInfo(
-        "%d held, of these %lld not; %d loose, of these %lld caught, %d grazing and %d in another "
-        "one",
-        verdicts.held, static_cast<long long>(verdicts.notHeld.size()), verdicts.loose,
-        static_cast<long long>(verdicts.caught.size()), verdicts.grazing, verdicts.inEachOther);
+    for (const QByteArray &line : verdicts.inEachOther)
+        qInfo("in another one | %s", line.constData());
+    for (const QByteArray &line : verdicts.untold)
+        qInfo("in another one, and nothing says so | %s", line.constData());
+    qInfo("%d held, of these %lld not; %d loose, of these %lld caught; %lld in another one",
+          verdicts.held, static_cast<long long>(verdicts.notHeld.size()), verdicts.loose,
+          static_cast<long long>(verdicts.caught.size()),
+          static_cast<long long>(verdicts.inEachOther.size()));
 }
 
 void TestGrips::judgeFile(const QString &path)
@@ -218,6 +242,7 @@ void TestGrips::judgeFile(const QString &path)
     say(verdicts);
     QVERIFY(verdicts.notHeld.empty());
     QVERIFY(verdicts.caught.empty());
+    QVERIFY(verdicts.untold.empty());
 }
 
 void TestGrips::realModels_data()
@@ -251,10 +276,8 @@ void TestGrips::drawings()
     say(verdicts);
     QVERIFY(verdicts.notHeld.empty());
     QVERIFY(verdicts.caught.empty());
-    QVERIFY(verdicts.held > 700 && verdicts.loose > 300);
-    // Known: three that graze others by 0.03 … 0.05 mm on their way, which is less than cutting
-    // takes off. The others are in each other by more than that from the start.
-    QVERIFY(verdicts.grazing <= 9);
+    QVERIFY(verdicts.untold.empty());
+    QVERIFY(verdicts.held > 700 && verdicts.loose > 300 && verdicts.inEachOther.size() <= 15);
 }
 
 void TestGrips::whatGetsAway_data()
@@ -283,6 +306,29 @@ void TestGrips::whatGetsAway()
     judgeVerdicts(QTest::currentDataTag(), analysis, verdicts);
     say(verdicts);
     QVERIFY(verdicts.notHeld.empty());
+}
+
+void TestGrips::whatIsFollowed_data()
+{
+    QTest::addColumn<int>("seed");
+    for (const int seed : {439, 511, 545, 569, 744, 849, 853, 977, 1326})
+        QTest::addRow("drawing %d, where it only rattles", seed) << seed;
+    for (const int seed : {360, 442, 668})
+        QTest::addRow("drawing %d, where it grazes past", seed) << seed;
+}
+
+// Wrong: called loose what comes no farther than what is taken off at each contact lets it turn,
+// since by then others are in its way; or held what passes an edge by less than counts.
+void TestGrips::whatIsFollowed()
+{
+    QFETCH(int, seed);
+    Verdicts verdicts;
+    judgeVerdicts(QTest::currentDataTag(),
+                  analysed(randomDrawing(static_cast<std::uint64_t>(seed))), verdicts);
+    say(verdicts);
+    QVERIFY(verdicts.notHeld.empty());
+    QVERIFY(verdicts.caught.empty());
+    QVERIFY(verdicts.untold.empty());
 }
 
 FFF_TEST(TestGrips)
