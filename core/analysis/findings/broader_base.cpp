@@ -1,9 +1,11 @@
 #include "core/analysis/findings/broader_base.h"
 
+#include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/upright_stand.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/convex_hull.h"
 #include "core/model/edits.h"
 
 #include <algorithm>
@@ -24,6 +26,8 @@ constexpr Text kFootStep = FFF_TEXT("Step", "Add a foot to %1");
 constexpr double kRootHeight = 5.0, kEndHeight = 2.0;
 /// A foot goes on so far beyond the section that it is across, in thicknesses, at least.
 constexpr double kLeastFoot = 6.0;
+/// What stands beside another one is a little more than just beside it.
+constexpr double kBeside = 1.01;
 /// Farther than this nobody wants a foot to reach, mm.
 constexpr double kLongest = 400.0;
 /// By so much what is stretched stands more firmly than it has to.
@@ -46,24 +50,39 @@ std::vector<UprightStand> standsOf(const Finding &finding, const Analysis &analy
     return stands;
 }
 
-/// Where the centre of mass lies over the ground, (x, z), and how far beside that it takes a foot.
+/// Where what acts on the model meets the ground, (x, z), and how far beside that it takes a foot.
 struct Need
 {
     Vec2 centre = Vec2::Zero();
-    double reach = 0.0; // mm
+    double reach = 0.0;   // mm
+    Polygon support = {}; // hull of the feet
+
+    /// How far it is inside of the feet, these among them, mm.
+    double marginWith(const std::vector<Vec2> &feet) const
+    {
+        std::vector<Vec2> all = support;
+        all.insert(all.end(), feet.begin(), feet.end());
+        return signedDistance(convexHull(all), centre);
+    }
 };
 
-Need needOf(const Footing &footing)
+/// Of what falls by itself, below its centre of mass; of what is pushed over, where the push and
+/// all weights together meet the ground.
+Need needOf(const Finding &finding)
 {
+    if (const auto *pushed = finding.details<PushedOver>())
+        return {pushed->onGround, (kFirmly - 1.0) * (pushed->onGround - pushed->centre).norm(),
+                pushed->support};
+    const Footing &footing = *finding.details<Footing>();
     const Vec3 &centre = footing.mass.centre;
-    return {Vec2(centre.x(), centre.z()), kFirmly * centre.y() * std::tan(kSteadyTilt)};
+    return {Vec2(centre.x(), centre.z()), kFirmly * centre.y() * std::tan(kSteadyTilt),
+            footing.support};
 }
 
 std::optional<FindingEdit> widened(const FindingAction &, const Finding &finding,
                                    const Analysis &analysis, const Flips *)
 {
-    const Footing &footing = *finding.details<Footing>();
-    const Need need = needOf(footing);
+    const Need need = needOf(finding);
     std::optional<FindingEdit> best;
     double shortest = kLongest;
     for (const UprightStand &stand : standsOf(finding, analysis)) {
@@ -78,6 +97,9 @@ std::optional<FindingEdit> widened(const FindingAction &, const Finding &finding
         if (by <= 0.0 || by >= shortest)
             continue;
         const double sign = isBehind ? 1.0 : -1.0, end = isBehind ? stand.to : stand.from;
+        // It does not fall that way.
+        if (need.marginWith({stand.at(end + sign * by)}) <= need.marginWith({}))
+            continue;
         const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
         // From inside of the section, so that the two are one.
         const double inside = std::min(root, stand.to - stand.from);
@@ -104,10 +126,36 @@ std::optional<FindingEdit> widened(const FindingAction &, const Finding &finding
     return best;
 }
 
+/// Along the stand, nearest to s where a foot across it is in nobody's way: `margin` from its ends
+/// and from slits that are as low as the foot. Nothing where there is no room.
+std::optional<double> freePlace(const Analysis &analysis, const UprightStand &stand, double s,
+                                double margin)
+{
+    const auto index = static_cast<std::size_t>(stand.section);
+    const Frame &frame = analysis.model.section(index)->frame;
+    std::vector<double> taken;
+    for (const Slit &slit : analysis.assembly.slits[index])
+        for (const Vec3 &at : {frame.toWorld(slit.inner), frame.toWorld(slit.mouth)})
+            if (at.y() < 2.0 * margin)
+                taken.push_back(stand.placeOf(at));
+    std::vector<double> places{std::clamp(s, stand.from + margin, stand.to - margin)};
+    for (const double at : taken)
+        places.insert(places.end(), {at - kBeside * margin, at + kBeside * margin});
+    std::erase_if(places, [&](double place) {
+        return place < stand.from + margin || place > stand.to - margin ||
+               std::any_of(taken.begin(), taken.end(),
+                           [&](double at) { return std::abs(place - at) < margin; });
+    });
+    const auto nearest = std::min_element(places.begin(), places.end(), [&](double a, double b) {
+        return std::abs(a - s) < std::abs(b - s);
+    });
+    return nearest == places.end() ? std::nullopt : std::optional(*nearest);
+}
+
 std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &finding,
                                      const Analysis &analysis, const Flips *)
 {
-    const Need need = needOf(*finding.details<Footing>());
+    const Need need = needOf(finding);
     const std::vector<UprightStand> stands = standsOf(finding, analysis);
     std::optional<FindingEdit> best;
     double shortest = kLongest;
@@ -120,12 +168,16 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
             continue; // no room for a slit with two walls
         const Vec2 across(-stand.along.y(), stand.along.x());
         const double beside = across.dot(need.centre - stand.origin);
-        const double s = std::clamp(stand.along.dot(need.centre - stand.origin),
-                                    stand.from + margin, stand.to - margin);
+        const auto s =
+            freePlace(analysis, stand, stand.along.dot(need.centre - stand.origin), margin);
+        if (!s)
+            continue;
         const double reach = std::max(kLeastFoot * thickness, need.reach);
         const double left = std::max(reach, reach - beside),
                      right = std::max(reach, reach + beside);
-        if (left + right >= shortest)
+        const Vec2 at = stand.at(*s);
+        if (left + right >= shortest ||
+            need.marginWith({at - left * across, at + right * across}) <= need.marginWith({}))
             continue;
         const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
         const Polygon outline{{-left, 0.0},   {right, 0.0},    {right, tip},
@@ -133,13 +185,12 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
         Result<ShapePointer> shape = Shape::make(Contour::ofPolygon(outline));
         if (!shape)
             continue;
-        const Vec2 at = stand.at(s);
         NewSection foot;
         foot.shape = *std::move(shape);
         foot.frame = {Vec3(at.x(), 0.0, at.y()), Vec3(across.x(), 0.0, across.y()), Vec3::UnitY()};
         foot.stock = section.stock;
-        foot.parent = Parent{section.ref(), onPlane(section, stand, s, 0.0),
-                             onPlane(section, stand, s, root)};
+        foot.parent = Parent{section.ref(), onPlane(section, stand, *s, 0.0),
+                             onPlane(section, stand, *s, root)};
         Result<Document> next = addSection(analysis.model.document, std::move(foot));
         if (!next)
             continue;

@@ -1,4 +1,5 @@
-// Bases that hold what falls over: a toe at the foot of a section, and a foot across one.
+// Bases that hold what falls over, by itself or by a push: a toe at the foot of a section, and a
+// foot across one.
 #pragma once
 
 #include "core/analysis/finding_action.h"

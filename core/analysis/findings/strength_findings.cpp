@@ -1,6 +1,7 @@
 #include "core/analysis/findings/strength_findings.h"
 
 #include "core/analysis/finding_action.h"
+#include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/strengthening.h"
 #include "core/assembly/joint_editing.h"
 
@@ -179,11 +180,6 @@ Message strengthUnknownSentence(const Finding &finding, const Model &model)
             {namesOf(model, finding.sections)}};
 }
 
-Message pushedOverSentence(const Finding &, const Model &)
-{
-    return {FFF_TEXT("Checks", "Pushed over. Without its pushes it would stand."), {}};
-}
-
 Message movesSentence(const Finding &finding, const Model &model)
 {
     if (finding.sections.empty())
@@ -225,8 +221,6 @@ std::optional<FindingEdit> slitsTurned(const FindingAction &, const Finding &fin
         return {};
     return FindingEdit{std::move(edit->step), std::move(edit->document)};
 }
-
-const ActionKind kTurnPulledSlits{plainWords<kTurnText>, slitsTurned};
 
 std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
 {
@@ -300,17 +294,6 @@ void findMoving(const Analysis &analysis, const Strength &strength, std::vector<
     }
 }
 
-/// What its feet do not hold against a push; masses alone are looked at where it is said whether it
-/// stands.
-void findPushedOver(const Strength &strength, std::vector<Finding> &found)
-{
-    const Balance balance = strength.equilibrium().balance();
-    const bool isOver = balance == Balance::Topples || balance == Balance::LineSupport ||
-                        balance == Balance::Floating || balance == Balance::NoContact;
-    if (strength.standsUnpushed && isOver)
-        found.push_back(makeFinding(kPushedOver, Severity::Error));
-}
-
 /// One verdict on all of it; none where it does not stand.
 void findVerdict(const Analysis &analysis, const Strength &strength, const BearableMass &bearable,
                  const StrengthRules &rules, std::vector<Finding> &found)
@@ -365,6 +348,8 @@ void findVerdict(const Analysis &analysis, const Strength &strength, const Beara
 
 } // namespace
 
+const ActionKind kTurnPulledSlits{plainWords<kTurnText>, slitsTurned};
+
 const FindingKind kHolds{"holds",
                          Subject::Strength,
                          FFF_TEXT("Checks", "Strong enough"),
@@ -400,16 +385,6 @@ const FindingKind kNotRated{"notRated", Subject::Strength, FFF_TEXT("Checks", "S
                             notRatedSentence, enterStrength};
 const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,
                                    FFF_TEXT("Checks", "Strength unknown"), strengthUnknownSentence};
-const FindingKind kPushedOver{"pushedOver",
-                              Subject::Strength,
-                              FFF_TEXT("Checks", "Pushed over"),
-                              pushedOverSentence,
-                              nullptr,
-                              nullptr,
-                              nullptr,
-                              nullptr,
-                              FFF_TEXT("Checks", "Give it a broader base or more weight, or push "
-                                                 "less, or lower down.")};
 const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Checks", "Comes loose"),
                                movesSentence};
 const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),

@@ -8,7 +8,9 @@
 namespace fff {
 
 extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
-    kPushedOver, kPulledOpen, kWeightBeside;
+    kPulledOpen, kWeightBeside;
+
+extern const ActionKind kTurnPulledSlits; // of the joint
 
 /// Of the verdict on all of it.
 struct Held

@@ -66,11 +66,15 @@ fff_tests(tests_held LIBRARIES fff::session TESTS
     core/session/tst_held_pairs
     core/session/tst_mending)
 target_sources(tests_held PRIVATE
+    core/session/broken_models.cpp
     core/session/edge_grid.cpp
     core/session/held_judge.cpp
     core/session/held_pairs.cpp
     core/session/judged_piece.cpp
-    core/session/random_drawings.cpp)
+    core/session/mend_trial.cpp
+    core/session/random_drawings.cpp
+    core/session/staged.cpp
+    core/session/weak_models.cpp)
 target_compile_definitions(tests_held PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 # What must not change how strong a model is: on all models that there are, and random ones.

@@ -1,21 +1,26 @@
 // What is said of whether a model holds.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/analysis/findings/broader_base.h"
+#include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/findings/strengthening.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/stress_lines.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/check_list.h"
 #include "core/session/finding_text.h"
 #include "core/session/session.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
 #include <cmath>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
 
@@ -78,6 +83,7 @@ class TestStrengthFindings : public QObject
 private Q_SLOTS:
     void pushesHaveTheirOwnWords();
     void pushesMoveWhatIsNotHeld();
+    void whatIsPushedOverGetsABase();
     void oneVerdictNamesWhatHangs();
     void fromHoldingToBreaking();
     void theSafetyFactorIsTheVerdictsAlone();
@@ -326,6 +332,40 @@ void TestStrengthFindings::pushesMoveWhatIsNotHeld()
     const QStringList lifted = saidOf({0.0, 0.0, 30.0}, true);
     QVERIFY2(lifted.size() == 1 && lifted[0].startsWith(QStringLiteral("Pushed over.")),
              qPrintable(lifted.join(u'|')));
+}
+
+// Wrong: a verdict that leaves a person alone, a base on the side to which nothing falls, or one
+// that is offered against a push that lifts.
+void TestStrengthFindings::whatIsPushedOverGetsABase()
+{
+    const ShapePointer post = plateOf(-25, 0, 25, 150), across = plateOf(-60, 0, 60, 80);
+    Document document = withSection(withSection(newDocument(), post, front()), across, side());
+    Load weight;
+    weight.section = document.sections[0]->ref();
+    weight.position = {3.0, 10.0};
+    weight.mass = 1.0;
+    document = *addLoad(std::move(document), weight);
+    Load push = weight;
+    push.kind = LoadKind::Push;
+    push.position = {3.0, 140.0};
+    const auto mendsOf = [&](const Vec3 &force) {
+        push.push = force;
+        Judged judged(*addLoad(document, push));
+        for (const Finding &finding : judged.list.all())
+            if (finding.is(kPushedOver))
+                return judged.list.mendsOf(finding);
+        return std::vector<Mend>();
+    };
+    // The post ends at x = 25; the push brings what presses on the ground beyond that.
+    for (const double sign : {1.0, -1.0}) {
+        const std::vector<Mend> mends = mendsOf({sign * 2.5, 0.0, 0.0});
+        QVERIFY(!mends.empty());
+        QCOMPARE(mends.front().action.kind, &kWidenBase);
+        const Box2 box = bounds(mends.front().edit->document.sections[0]->shape->region().outer);
+        QVERIFY(sign > 0.0 ? box.max.x() > 40.0 && box.min.x() == -25.0
+                           : box.min.x() < -25.0 && box.max.x() == 25.0);
+    }
+    QVERIFY(mendsOf({0.0, 15.0, 0.0}).empty());
 }
 
 FFF_TEST(TestStrengthFindings)
