@@ -1,17 +1,23 @@
 #version 330 core
-// A field of stress over the two faces of a slab.
+// A field of stress over a slab: its faces and its walls.
 layout(location = 0) in vec3 position; // as in a slab's mesh
-layout(location = 1) in vec2 use;      // of what the sheet bears; the face: 1 or -1
+layout(location = 1) in vec4 normal;   // w: 1 on a side wall
+layout(location = 2) in vec3 by;       // how far it moves, as it really bends; else 0
+layout(location = 3) in vec3 turn;     // what comes to its normal then
+layout(location = 4) in vec3 turnMore;
+layout(location = 5) in float use; // of what the sheet bears
 uniform mat4 toClip;
 uniform mat3 normalToView;
 uniform vec4 cutRow; // gives the height over the plane that cuts the view open, mm
+uniform float times; // as it really bends
 out float share;
 out vec3 viewNormal;
 
 void main()
 {
-    gl_Position = toClip * vec4(position, 1.0);
-    gl_ClipDistance[0] = -dot(cutRow, vec4(position, 1.0));
-    share = use.x;
-    viewNormal = normalToView * vec3(0.0, 0.0, use.y);
+    vec4 place = vec4(position + times * by, 1.0);
+    gl_Position = toClip * place;
+    gl_ClipDistance[0] = -dot(cutRow, place);
+    share = use;
+    viewNormal = normalToView * (normal.xyz + times * (turn + times * turnMore));
 }

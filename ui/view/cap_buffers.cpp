@@ -69,7 +69,7 @@ void CapBuffers::update(const Scene &scene, const ClipPlane &plane, const ViewSt
     CutCaps caps;
     std::vector<CapVertex> vertices;
     for (const SceneSection &section : scene.sections) {
-        if (section.isHidden || section.isGhost || section.mesh) // what is bent stays open
+        if (section.isHidden || section.isGhost || section.bent) // what is bent stays open
             continue;
         addCapOf(caps, section, plane);
         const QColor &c = section.isProblem ? style.problemSide

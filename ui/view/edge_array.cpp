@@ -6,6 +6,8 @@ namespace fff::ui {
 
 namespace {
 
+constexpr GLuint kFirstEdgeMotion = 4; // attributes; those of what stays are off, and 0
+
 const void *offset(std::size_t bytes)
 {
     return reinterpret_cast<const void *>(bytes);
@@ -42,10 +44,29 @@ void fillEdgeArray(Gl &gl, EdgeArray &edges, std::span<const SlabEdge> data, GLe
                     usage);
 }
 
+void fillEdgeMotions(Gl &gl, EdgeArray &edges, std::span<const EdgeMotion> motions)
+{
+    gl.glGenBuffers(1, &edges.motions);
+    gl.glBindVertexArray(edges.array);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, edges.motions);
+    gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(motions.size_bytes()), motions.data(),
+                    GL_STATIC_DRAW);
+    const std::size_t at[] = {offsetof(EdgeMotion, from), offsetof(EdgeMotion, to),
+                              offsetof(EdgeMotion, turn), offsetof(EdgeMotion, turnMore)};
+    for (GLuint i = 0; i < 4; ++i) {
+        gl.glVertexAttribPointer(kFirstEdgeMotion + i, 3, GL_FLOAT, GL_FALSE, sizeof(EdgeMotion),
+                                 offset(at[i]));
+        gl.glEnableVertexAttribArray(kFirstEdgeMotion + i);
+        gl.glVertexAttribDivisor(kFirstEdgeMotion + i, 1);
+    }
+    gl.glBindVertexArray(0);
+}
+
 void freeEdgeArray(Gl &gl, const EdgeArray &edges)
 {
     gl.glDeleteVertexArrays(1, &edges.array);
-    gl.glDeleteBuffers(1, &edges.buffer);
+    const GLuint buffers[] = {edges.buffer, edges.motions};
+    gl.glDeleteBuffers(2, buffers);
 }
 
 } // namespace fff::ui

@@ -1,8 +1,8 @@
 // Lines on the graphics card that the slab painter draws (ui/view/slab_mesh.h, SlabEdge).
 #pragma once
 
+#include "ui/view/bent_slab.h"
 #include "ui/view/gl.h"
-#include "ui/view/slab_mesh.h"
 
 #include <span>
 
@@ -11,6 +11,7 @@ namespace fff::ui {
 struct EdgeArray
 {
     GLuint array = 0, buffer = 0; // vertex array object, and what it is of
+    GLuint motions = 0;           // of what is bent; else none
     int count = 0;
 };
 
@@ -18,6 +19,8 @@ struct EdgeArray
 EdgeArray makeEdgeArray(Gl &gl);
 /// usage  GL_STATIC_DRAW, or GL_STREAM_DRAW for what is another one with every picture
 void fillEdgeArray(Gl &gl, EdgeArray &edges, std::span<const SlabEdge> data, GLenum usage);
+/// One for each line that it has.
+void fillEdgeMotions(Gl &gl, EdgeArray &edges, std::span<const EdgeMotion> motions);
 void freeEdgeArray(Gl &gl, const EdgeArray &edges);
 
 } // namespace fff::ui

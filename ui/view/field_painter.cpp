@@ -1,6 +1,6 @@
 #include "ui/view/field_painter.h"
 
-#include "ui/view/slab_mesh.h"
+#include "ui/view/field_mesh.h"
 #include "ui/view/slab_painter.h"
 #include "ui/view/stress_colours.h"
 
@@ -11,11 +11,7 @@ namespace fff::ui {
 
 namespace {
 
-struct FieldVertex
-{
-    std::array<float, 3> position;
-    std::array<float, 2> use; // of what the sheet bears; the face: 1 or −1
-};
+constexpr GLuint kShare = kFirstMotion + 3; // attribute
 
 const void *inVertex(std::size_t bytes)
 {
@@ -38,7 +34,7 @@ void FieldPainter::update(const Scene &scene)
         buffers.isUsed = false;
     for (const SceneSection &section : scene.sections) {
         for (const StressFieldPointer &field : section.fields) {
-            const Key key(field.get(), section.mesh.get());
+            const Key key = keyOf(field, section);
             auto found = m_fields.find(key);
             if (found == m_fields.end())
                 found = m_fields.emplace(key, upload(field, section)).first;
@@ -55,34 +51,24 @@ void FieldPainter::update(const Scene &scene)
     }
 }
 
+FieldPainter::Key FieldPainter::keyOf(const StressFieldPointer &field, const SceneSection &section)
+{
+    const void *slab = section.bent  ? static_cast<const void *>(section.bent.get())
+                       : section.cut ? static_cast<const void *>(section.cut.get())
+                                     : static_cast<const void *>(section.shape.get());
+    return {field.get(), slab};
+}
+
 FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field,
                                            const SceneSection &section)
 {
-    std::vector<FieldVertex> vertices;
-    std::vector<std::uint32_t> triangles;
-    const auto count = static_cast<std::uint32_t>(field->points.size());
-    vertices.reserve(2 * count);
-    triangles.reserve(6 * field->triangles.size());
-    for (const std::size_t face : {0u, 1u}) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const Vec2 &at = field->points[i];
-            const std::array<float, 3> flat{static_cast<float>(at.x()), static_cast<float>(at.y()),
-                                            face == 0 ? 1.0f : -1.0f};
-            vertices.push_back(
-                {section.mesh ? section.mesh->vertices[face * count + i].position : flat,
-                 {field->use[face][i], flat[2]}});
-        }
-    }
-    for (const auto &t : field->triangles) {
-        for (const int i : t)
-            triangles.push_back(static_cast<std::uint32_t>(i));
-        for (const int i : {t[0], t[2], t[1]})
-            triangles.push_back(count + static_cast<std::uint32_t>(i));
-    }
+    const FieldMesh mesh = fieldMesh(section, *field);
     Buffers buffers;
     buffers.field = field;
-    buffers.mesh = section.mesh;
-    buffers.count = static_cast<GLsizei>(triangles.size());
+    buffers.bent = section.bent;
+    buffers.cut = section.cut;
+    buffers.shape = section.shape;
+    buffers.count = static_cast<GLsizei>(mesh.triangles.size());
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
         m_gl.glGenBuffers(1, &buffer);
         m_gl.glBindBuffer(target, buffer);
@@ -91,14 +77,20 @@ FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field,
     };
     m_gl.glGenVertexArrays(1, &buffers.array);
     m_gl.glBindVertexArray(buffers.array);
-    fill(GL_ARRAY_BUFFER, buffers.vertices, vertices);
-    fill(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles, triangles);
-    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(FieldVertex),
-                               inVertex(offsetof(FieldVertex, position)));
-    m_gl.glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(FieldVertex),
-                               inVertex(offsetof(FieldVertex, use)));
-    m_gl.glEnableVertexAttribArray(0);
-    m_gl.glEnableVertexAttribArray(1);
+    fill(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles, mesh.triangles);
+    fill(GL_ARRAY_BUFFER, buffers.vertices, mesh.vertices);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SlabVertex),
+                               inVertex(offsetof(SlabVertex, position)));
+    m_gl.glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, sizeof(SlabVertex),
+                               inVertex(offsetof(SlabVertex, normal)));
+    if (!mesh.motions.empty()) {
+        fill(GL_ARRAY_BUFFER, buffers.motions, mesh.motions);
+        setMotions(m_gl);
+    }
+    fill(GL_ARRAY_BUFFER, buffers.shares, mesh.shares);
+    m_gl.glVertexAttribPointer(kShare, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    for (const GLuint attribute : {0u, 1u, kShare})
+        m_gl.glEnableVertexAttribArray(attribute);
     m_gl.glBindVertexArray(0);
     return buffers;
 }
@@ -106,8 +98,8 @@ FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field,
 void FieldPainter::free(const Buffers &buffers)
 {
     m_gl.glDeleteVertexArrays(1, &buffers.array);
-    const GLuint ids[] = {buffers.vertices, buffers.triangles};
-    m_gl.glDeleteBuffers(2, ids);
+    const GLuint ids[] = {buffers.vertices, buffers.motions, buffers.shares, buffers.triangles};
+    m_gl.glDeleteBuffers(4, ids);
 }
 
 void FieldPainter::draw(const SceneSection &section, const FrameView &view, const FieldLook &look)
@@ -124,6 +116,7 @@ void FieldPainter::draw(const SceneSection &section, const FrameView &view, cons
         "normalToView",
         toFloat(Eigen::Matrix3d(view.camera.orientation.conjugate().toRotationMatrix() * turned)));
     p.setUniformValue("cutRow", cutRow(view.clip, place));
+    p.setUniformValue("times", static_cast<float>(section.bentTimes));
     std::array<QVector3D, kStressColours> palette;
     for (std::size_t i = 0; i < palette.size(); ++i)
         palette[i] = rgb(
@@ -136,7 +129,7 @@ void FieldPainter::draw(const SceneSection &section, const FrameView &view, cons
     p.setUniformValue("alpha", static_cast<float>(look.alpha));
     p.setUniformValue("pixel", static_cast<float>(view.ratio()));
     for (const StressFieldPointer &field : section.fields) {
-        const Buffers &buffers = m_fields.at({field.get(), section.mesh.get()});
+        const Buffers &buffers = m_fields.at(keyOf(field, section));
         m_gl.glBindVertexArray(buffers.array);
         m_gl.glDrawElements(GL_TRIANGLES, buffers.count, GL_UNSIGNED_INT, nullptr);
     }

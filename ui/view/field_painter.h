@@ -1,4 +1,4 @@
-// Draws how strained bodies are, as colours over their faces: just over those of their slabs, which
+// Draws how strained bodies are, as colours over their slabs, which
 // give way to it, and below all lines on them.
 #pragma once
 
@@ -37,13 +37,16 @@ public:
 private:
     struct Buffers
     {
-        GLuint array = 0, vertices = 0, triangles = 0;
+        GLuint array = 0, vertices = 0, motions = 0, shares = 0, triangles = 0;
         GLsizei count = 0;        // of indices
         StressFieldPointer field; // keep the key's addresses from being used again
-        std::shared_ptr<const SlabMesh> mesh;
+        std::shared_ptr<const BentSlab> bent;
+        CutSectionPointer cut;
+        ShapePointer shape;
         bool isUsed = false;
     };
-    using Key = std::pair<const StressField *, const SlabMesh *>; // the mesh of what is bent
+    using Key = std::pair<const StressField *, const void *>; // and the slab that it is over
+    static Key keyOf(const StressFieldPointer &field, const SceneSection &section);
     Buffers upload(const StressFieldPointer &field, const SceneSection &section);
     void free(const Buffers &buffers);
 

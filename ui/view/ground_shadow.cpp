@@ -65,6 +65,7 @@ void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs)
     m_slab->setUniformValue("unit", static_cast<float>(unit));
     const int toClip = m_slab->uniformLocation("toClip");
     const int heightRow = m_slab->uniformLocation("heightRow");
+    const int times = m_slab->uniformLocation("times");
     for (std::size_t i = 0; i < scene.sections.size(); ++i) {
         const SceneSection &section = scene.sections[i];
         if (section.isGhost || section.isHidden)
@@ -73,6 +74,7 @@ void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs)
         const Eigen::Matrix4d place = slabMatrix(section);
         m_slab->setUniformValue(toClip, toFloat(Eigen::Matrix4d(toPicture * place)));
         m_slab->setUniformValue(heightRow, toFloat(Eigen::Vector4d(place.row(1).transpose())));
+        m_slab->setUniformValue(times, static_cast<float>(section.bentTimes));
         m_gl.glBindVertexArray(slab.fillArray);
         // Walls that others hide throw no shadow that those do not.
         m_gl.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(slab.coverStarts.front()),

@@ -1,6 +1,6 @@
 #include "ui/view/moved_scene.h"
 
-#include "ui/view/bent_mesh.h"
+#include "ui/view/bent_slab.h"
 
 #include <Eigen/Geometry>
 
@@ -20,15 +20,6 @@ Frame movedFrame(const Frame &frame, const Vec3 &centroid, const RigidMotion &mo
                                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     return {centroid + turn * (frame.origin - centroid) + times * motion.translation,
             turn * frame.x, turn * frame.y};
-}
-
-Box3 boxOf(const SlabMesh &mesh, const SceneSection &section)
-{
-    Box3 box;
-    for (const SlabVertex &vertex : mesh.vertices)
-        box.extend(section.frame.toWorld(Vec2(vertex.position[0], vertex.position[1])) +
-                   0.5 * section.thickness * vertex.position[2] * section.frame.normal());
-    return box;
 }
 
 /// How far a place of a section moves, mm: of one that bends, as the nearest of its points.
@@ -64,14 +55,27 @@ Vec3 movedAt(const Movement &movement, int section, const Vec3 &at)
 
 } // namespace
 
-void MovedScene::bend(const Movement &movement, double times)
+MovedScene::Reach MovedScene::reachOf(const BentSlab &slab, const Frame &frame, double half)
 {
-    if (m_bent == movement.bent && m_times == times)
+    const auto inWorld = [&](const std::array<float, 3> &v) -> Vec3 {
+        return v[0] * frame.x + v[1] * frame.y + half * v[2] * frame.normal();
+    };
+    Reach reach;
+    for (std::size_t i = 0; i < slab.flat.vertices.size(); ++i) {
+        reach.flat.extend(frame.origin + inWorld(slab.flat.vertices[i].position));
+        reach.way.extend(inWorld(slab.motions[i].by));
+    }
+    return reach;
+}
+
+void MovedScene::bend(const Movement &movement)
+{
+    if (m_bent == movement.bent)
         return;
     m_bent = movement.bent;
-    m_times = times;
-    m_meshes.assign(movement.analysis->bodies.size(), nullptr);
-    for (std::size_t i = 0; m_bent && i < m_meshes.size(); ++i) {
+    m_slabs.assign(movement.analysis->bodies.size(), nullptr);
+    m_reaches.assign(m_slabs.size(), {});
+    for (std::size_t i = 0; m_bent && i < m_slabs.size(); ++i) {
         if (!m_bent->fields[i])
             continue;
         const StressField &field = *m_bent->fields[i];
@@ -79,12 +83,13 @@ void MovedScene::bend(const Movement &movement, double times)
         std::vector<Vec3> moved;
         moved.reserve(field.points.size());
         for (std::size_t k = 0; k < field.points.size(); ++k) {
-            const Vec3 to = times * m_bent->moved(static_cast<int>(i), k);
+            const Vec3 to = m_bent->moved(static_cast<int>(i), k);
             moved.emplace_back(to.dot(body.frame().x), to.dot(body.frame().y),
                                to.dot(body.frame().normal()));
         }
-        m_meshes[i] =
-            std::make_shared<const SlabMesh>(bentMesh(field, moved, 0.5 * body.thickness()));
+        const double half = 0.5 * body.thickness();
+        m_slabs[i] = std::make_shared<const BentSlab>(bentSlab(field, moved, half));
+        m_reaches[i] = reachOf(*m_slabs[i], body.frame(), half);
     }
 }
 
@@ -96,15 +101,18 @@ const Scene &MovedScene::at(const Scene &scene, const Model &model, const Moveme
     if (scene.sections.size() != model.sectionCount() ||
         before.sectionCount() != model.sectionCount())
         return scene;
-    bend(movement, times);
+    bend(movement);
+    m_slabs.resize(bodies.size()); // without any that bends there are none
     m_scene = {};
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const int index = static_cast<int>(i);
         const auto of = static_cast<std::size_t>(bodies.sectionOf(index));
         SceneSection section = scene.sections[of];
-        if (m_meshes[i]) {
-            section.mesh = m_meshes[i];
-            section.bounds = boxOf(*section.mesh, section);
+        if (m_slabs[i]) {
+            section.bent = m_slabs[i];
+            section.bentTimes = times;
+            section.bounds = {m_reaches[i].flat.min + times * m_reaches[i].way.min,
+                              m_reaches[i].flat.max + times * m_reaches[i].way.max};
             section.marks.clear(); // they are on what is flat
             section.fields.clear();
             if (!scene.sections[of].fields.empty())

@@ -6,7 +6,8 @@
 
 namespace fff::ui {
 
-/// Keeps the bent bodies of the picture before: only another movement makes them anew.
+/// Keeps the bent bodies of the picture before: only another movement makes them anew, and how far
+/// it is shown is the graphics card's matter.
 class MovedScene
 {
 public:
@@ -16,12 +17,18 @@ public:
     const Scene &at(const Scene &scene, const Model &model, const Movement &movement, double times);
 
 private:
-    void bend(const Movement &movement, double times);
+    /// Of a body: boxes of where its vertices are and of where they go, world, mm.
+    struct Reach
+    {
+        Box3 flat, way;
+    };
+    static Reach reachOf(const BentSlab &slab, const Frame &frame, double half);
+    void bend(const Movement &movement);
 
     Scene m_scene;
-    std::shared_ptr<const BentModel> m_bent; // that the meshes are of
-    double m_times = 0.0;
-    std::vector<std::shared_ptr<const SlabMesh>> m_meshes; // of each body; null: moved as it is
+    std::shared_ptr<const BentModel> m_bent;              // that the slabs are of
+    std::vector<std::shared_ptr<const BentSlab>> m_slabs; // of each body; null: moved as it is
+    std::vector<Reach> m_reaches;                         // of these
 };
 
 } // namespace fff::ui

@@ -1,6 +1,6 @@
 #include "ui/view/scene.h"
 
-#include "ui/view/slab_mesh.h"
+#include "ui/view/bent_slab.h"
 
 #include <algorithm>
 #include <map>
@@ -12,8 +12,9 @@ namespace fff::ui {
 
 bool SceneSection::looksTheSame(const SceneSection &other) const
 {
-    return cut == other.cut && shape == other.shape && mesh == other.mesh && marks == other.marks &&
-           frame == other.frame && thickness == other.thickness && look.face == other.look.face &&
+    return cut == other.cut && shape == other.shape && bent == other.bent &&
+           bentTimes == other.bentTimes && marks == other.marks && frame == other.frame &&
+           thickness == other.thickness && look.face == other.look.face &&
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
            isHidden == other.isHidden && isProblem == other.isProblem &&
@@ -34,8 +35,8 @@ std::span<const Triangulation> trianglesOf(const CutSection &cut)
 
 SlabMesh meshOf(const SceneSection &section)
 {
-    if (section.mesh)
-        return *section.mesh;
+    if (section.bent)
+        return section.bent->flat;
     if (!section.cut)
         return buildSlab({&section.shape->region(), 1}, trianglesOf(*section.shape));
     std::vector<Region> regions;

@@ -17,6 +17,7 @@ namespace fff::ui {
 
 using CoversPointer = std::shared_ptr<const std::vector<SlitCover>>;
 
+struct BentSlab;
 struct SlabMesh;
 
 struct SceneSection
@@ -24,7 +25,8 @@ struct SceneSection
     // What its mesh is made of: the cut section, or the bare shape while no cut of it is known.
     CutSectionPointer cut; // may be null
     ShapePointer shape;
-    std::shared_ptr<const SlabMesh> mesh = {}; // in place of that: it is bent
+    std::shared_ptr<const BentSlab> bent = {}; // in place of that
+    double bentTimes = 0.0;                    // as far as it really is
     std::vector<MarkPointer> marks;
     Frame frame;
     double thickness = 3.0; // mm

@@ -1,6 +1,6 @@
 #include "ui/view/slab_buffers.h"
 
-#include "ui/view/slab_mesh.h"
+#include "ui/view/bent_slab.h"
 
 #include <cstddef>
 
@@ -15,6 +15,17 @@ const void *offset(std::size_t bytes)
 
 } // namespace
 
+void setMotions(Gl &gl)
+{
+    const std::size_t at[] = {offsetof(VertexMotion, by), offsetof(VertexMotion, turn),
+                              offsetof(VertexMotion, turnMore)};
+    for (GLuint i = 0; i < 3; ++i) {
+        gl.glVertexAttribPointer(kFirstMotion + i, 3, GL_FLOAT, GL_FALSE, sizeof(VertexMotion),
+                                 offset(at[i]));
+        gl.glEnableVertexAttribArray(kFirstMotion + i);
+    }
+}
+
 SlabBuffers::~SlabBuffers()
 {
     for (const auto &[key, slab] : m_slabs)
@@ -27,7 +38,7 @@ void SlabBuffers::update(const Scene &scene)
         slab.isUsed = false;
     m_ofSection.clear();
     for (const SceneSection &section : scene.sections) {
-        const Key key(section.mesh  ? static_cast<const void *>(section.mesh.get())
+        const Key key(section.bent  ? static_cast<const void *>(section.bent.get())
                       : section.cut ? static_cast<const void *>(section.cut.get())
                                     : static_cast<const void *>(section.shape.get()),
                       section.cut ? section.covers.get() : nullptr);
@@ -54,7 +65,7 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     slab.cut = section.cut;
     slab.shape = section.shape;
     slab.covers = section.covers;
-    slab.mesh = section.mesh;
+    slab.bent = section.bent;
     slab.coverStarts = mesh.coverStarts;
     ++m_uploadCount;
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
@@ -74,18 +85,24 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
                                offset(offsetof(SlabVertex, normal)));
     m_gl.glEnableVertexAttribArray(0);
     m_gl.glEnableVertexAttribArray(1);
+    if (section.bent) {
+        fill(GL_ARRAY_BUFFER, slab.motions, section.bent->motions);
+        setMotions(m_gl);
+    }
 
     m_gl.glBindVertexArray(0);
     slab.edges = makeEdgeArray(m_gl);
     fillEdgeArray(m_gl, slab.edges, mesh.edges, GL_STATIC_DRAW);
+    if (section.bent)
+        fillEdgeMotions(m_gl, slab.edges, section.bent->edgeMotions);
     return slab;
 }
 
 void SlabBuffers::free(const Slab &slab)
 {
     m_gl.glDeleteVertexArrays(1, &slab.fillArray);
-    const GLuint buffers[] = {slab.vertices, slab.triangles};
-    m_gl.glDeleteBuffers(2, buffers);
+    const GLuint buffers[] = {slab.vertices, slab.motions, slab.triangles};
+    m_gl.glDeleteBuffers(3, buffers);
     freeEdgeArray(m_gl, slab.edges);
 }
 

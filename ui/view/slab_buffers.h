@@ -11,19 +11,24 @@
 
 namespace fff::ui {
 
+/// Attributes from here on say how a vertex moves; those of what stays are off, and 0.
+inline constexpr GLuint kFirstMotion = 2;
+/// Of the buffer that is bound, to the array that is: VertexMotion after VertexMotion.
+void setMotions(Gl &gl);
+
 class SlabBuffers
 {
 public:
     struct Slab
     {
-        GLuint fillArray = 0; // vertex array object
-        GLuint vertices = 0, triangles = 0;
+        GLuint fillArray = 0;                            // vertex array object
+        GLuint vertices = 0, motions = 0, triangles = 0; // no motions: it is not bent
         EdgeArray edges;
         std::vector<std::size_t> coverStarts; // indices, see SlabMesh
         CutSectionPointer cut;                // keep the key's addresses from being used again
         ShapePointer shape;
         CoversPointer covers;
-        std::shared_ptr<const SlabMesh> mesh;
+        std::shared_ptr<const BentSlab> bent;
         bool isUsed = false;
     };
 

@@ -81,6 +81,7 @@ SlabPainter::FillProgram SlabPainter::fillProgram(const char *define)
     p.normalToView = at("normalToView");
     p.heightRow = at("heightRow");
     p.cutRow = at("cutRow");
+    p.times = at("times");
     p.face = at("face");
     p.side = at("side");
     p.alpha = at("alpha");
@@ -109,6 +110,7 @@ SlabPainter::EdgeProgram SlabPainter::edgeProgram(const char *define)
     p.nearer = at("nearer");
     p.overhang = at("overhang");
     p.cutRow = at("cutRow");
+    p.times = at("times");
     p.line = at("line");
     p.opaqueDepth = at("opaqueDepth");
     p.layerDepth = at("layerDepth");
@@ -172,6 +174,7 @@ void SlabPainter::fill(std::size_t index, const SlabLook &look)
                             m_view.camera.orientation.conjugate().toRotationMatrix() * turned)));
     p.program->setUniformValue(p.heightRow, toFloat(Eigen::Vector4d(place.row(1).transpose())));
     p.program->setUniformValue(p.cutRow, cutRow(m_view.clip, place));
+    p.program->setUniformValue(p.times, static_cast<float>(section.bentTimes));
     p.program->setUniformValue(p.face, rgb(look.face));
     p.program->setUniformValue(p.side, rgb(look.side));
     p.program->setUniformValue(p.alpha, static_cast<float>(look.alpha));
@@ -205,17 +208,19 @@ void SlabPainter::edges(std::size_t index, const EdgeArray &edges, const EdgeLoo
     if (!m_isSeen[index] || edges.count == 0)
         return;
     const SceneSection &section = m_scene->sections[index];
-    drawEdges(look, slabMatrix(section), 0.5 * section.thickness, section.frame, edges);
+    drawEdges(look, slabMatrix(section), 0.5 * section.thickness, section.bentTimes, section.frame,
+              edges);
 }
 
 void SlabPainter::edges(const EdgeArray &edges, const EdgeLook &look)
 {
     if (edges.count > 0)
-        drawEdges(look, Eigen::Matrix4d::Identity(), 1.0, Frame(), edges);
+        drawEdges(look, Eigen::Matrix4d::Identity(), 1.0, 0.0, Frame(), edges);
 }
 
 void SlabPainter::drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place,
-                            double halfThickness, const Frame &frame, const EdgeArray &edges)
+                            double halfThickness, double times, const Frame &frame,
+                            const EdgeArray &edges)
 {
     EdgeProgram &p = m_edge[m_layer ? 1 : 0];
     use(p);
@@ -234,6 +239,7 @@ void SlabPainter::drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place,
     // Where lines let something through, their overlaps would be dark dots.
     p.program->setUniformValue(p.overhang, look.colour.w() < 1.0f ? 0.0f : 0.5f);
     p.program->setUniformValue(p.cutRow, cutRow(m_view.clip, place));
+    p.program->setUniformValue(p.times, static_cast<float>(times));
     p.program->setUniformValue(p.line, look.colour);
     m_gl.glBindVertexArray(edges.array);
     m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, edges.count);

@@ -63,14 +63,14 @@ private:
     struct FillProgram
     {
         std::unique_ptr<QOpenGLShaderProgram> program;
-        int toClip, normalToView, heightRow, cutRow, face, side, alpha, hatch, hatchPixel;
+        int toClip, normalToView, heightRow, cutRow, times, face, side, alpha, hatch, hatchPixel;
         int opaqueDepth, layerDepth, isFirst, setBack;
     };
     struct EdgeProgram
     {
         std::unique_ptr<QOpenGLShaderProgram> program;
         int toClip, halfThickness, eye, viewport, width, silhouetteWidth, nearer, overhang, cutRow,
-            line;
+            times, line;
         int opaqueDepth, layerDepth, isFirst;
     };
     static FillProgram fillProgram(const char *define);
@@ -78,7 +78,7 @@ private:
     template <class Program>
     void use(Program &program);
     void drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place, double halfThickness,
-                   const Frame &frame, const EdgeArray &edges);
+                   double times, const Frame &frame, const EdgeArray &edges);
     bool hidesWalls(int guest) const;
 
     Gl &m_gl;

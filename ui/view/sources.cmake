@@ -1,9 +1,10 @@
 target_sources(fff_view PRIVATE
     view/bearing_marks.cpp
-    view/bent_mesh.cpp
+    view/bent_slab.cpp
     view/cap_buffers.cpp
     view/cut_caps.cpp
     view/edge_array.cpp
+    view/field_mesh.cpp
     view/field_painter.cpp
     view/frame_pace.cpp
     view/force_marks.cpp

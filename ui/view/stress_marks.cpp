@@ -22,7 +22,8 @@ constexpr double kThinnest = 1.5, kThickest = 4.0;        // px
 constexpr double kReach = 6.0;                            // px from a line: it is meant
 constexpr double kRing = 24.0;                            // px across
 constexpr double kLegendMargin = 8.0, kLegendTop = 116.0; // px: under the cube
-constexpr double kBarWidth = 12.0, kBarHeight = 160.0;    // px
+constexpr double kReadable = 9.0, kFading = 3.0;       // px: so wide a band of colours can be read
+constexpr double kBarWidth = 12.0, kBarHeight = 160.0; // px
 
 double widthOf(double use)
 {
@@ -56,7 +57,8 @@ bool isSeen(const StressLine &line, const StressMarks &marks, const ViewState &v
     return true;
 }
 
-void paintLine(MarkPen &pen, const StressLine &line, double alpha)
+/// isOnColours  the stress is drawn all over the place: no more than that in a width to be seen
+void paintLine(MarkPen &pen, const StressLine &line, double alpha, bool isOnColours)
 {
     const QPointF from = pen.screen(onFace(line.from, line, pen.camera()));
     const QPointF to = pen.screen(onFace(line.to, line, pen.camera()));
@@ -66,8 +68,10 @@ void paintLine(MarkPen &pen, const StressLine &line, double alpha)
     const double width = widthOf(line.use);
     const QColor colour = stressColour(line.use, pen.style().isForColourBlind);
     const QColor casing = pen.style().casing.isValid() ? pen.style().casing : QColor(Qt::white);
-    const bool isOver = line.use > 1.0;
-    painter.strokePath(path, roundPen(faded(casing, alpha), width + 2.0 + (isOver ? 3.0 : 0.0)));
+    const bool isOver = line.use > 1.0 && !isOnColours;
+    if (!isOnColours)
+        painter.strokePath(path,
+                           roundPen(faded(casing, alpha), width + 2.0 + (isOver ? 3.0 : 0.0)));
     if (!isOver) {
         painter.strokePath(path, roundPen(faded(colour, alpha), width));
         return;
@@ -86,6 +90,21 @@ void paintLine(MarkPen &pen, const StressLine &line, double alpha)
 bool hasField(const StressMarks &marks, int body)
 {
     return marks.bent && marks.bent->fields[static_cast<std::size_t>(body)];
+}
+
+/// How much of a line is drawn: all of it, but where the colours at its place can be read. They are
+/// on the face and on the wall at its end, so that both make a band as wide as both are seen.
+double shareOfLine(const StressLine &line, const StressMarks &marks, const MarkPen &pen)
+{
+    if (!hasField(marks, line.body))
+        return 1.0;
+    const auto seen = [&](const Vec3 &from, const Vec3 &to) {
+        const QPointF way = pen.screen(to) - pen.screen(from);
+        return std::hypot(way.x(), way.y());
+    };
+    const double band = seen(line.from, line.to) + seen(line.from - line.half * line.normal,
+                                                        line.from + line.half * line.normal);
+    return std::clamp((kReadable - band) / kFading, 0.0, 1.0);
 }
 
 /// Where the bar stands: under the cube.
@@ -207,9 +226,10 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
     for (std::size_t i = 0; i < marks.lines.size(); ++i) {
         const StressLine &line = marks.lines[i];
         const bool isAsked = static_cast<int>(i) == marks.lit;
-        if ((isAsked || !hasField(marks, line.body)) &&
-            isSeen(line, marks, view, pen.camera(), pen.viewport()))
-            paintLine(pen, line, marks.isOlder ? kOlderStress : 1.0);
+        const double share = isAsked ? 1.0 : shareOfLine(line, marks, pen);
+        if (share > 0.0 && isSeen(line, marks, view, pen.camera(), pen.viewport()))
+            paintLine(pen, line, share * (marks.isOlder ? kOlderStress : 1.0),
+                      !isAsked && hasField(marks, line.body));
     }
     if (!marks.lines.empty() && marks.lines.back().use > 1.0) {
         const StressLine &worst = marks.lines.back();

@@ -1,6 +1,7 @@
 // How strained the model is, over the view: the weakest cross-sections as lines, and what colours
 // mean. Where stress is known all over a body, that is drawn on it (field_painter.h), and of its
-// lines only the one that is asked about.
+// lines those across necks that are too narrow on the screen for colours to be read, and the one
+// that is asked about.
 #pragma once
 
 #include "core/analysis/bent_model.h"

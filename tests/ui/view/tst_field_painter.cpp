@@ -4,6 +4,7 @@
 #include "tests/core/analysed.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
+#include "ui/view/field_mesh.h"
 #include "ui/view/offscreen_image.h"
 #include "ui/view/stress_colours.h"
 
@@ -77,6 +78,9 @@ private Q_SLOTS:
     void seenThroughNoOther();
     void onWhatLetsLightThrough();
     void cutOpen();
+    void wallsHaveWhatTheirEdgeHas();
+    void wallsOfOtherPiecesHaveNone();
+    void bentOnTheCard();
     void fadedWhileItIsOlder();
 };
 
@@ -172,6 +176,83 @@ void TestFieldPainter::fadedWhileItIsOlder()
     const QColor faded = middleOf(painted(scene, "front", options));
     // Wrong: what is known of an older model looks as sure as the rest.
     QVERIFY(faded.green() > full.green() && faded.green() < plain.green());
+}
+
+// Wrong: of a thin leg, of which one sees the wall, one sees nothing.
+void TestFieldPainter::wallsHaveWhatTheirEdgeHas()
+{
+    Scene scene = plateScene({0.0});
+    StressField field = *evenField(0.5f, 0.5f);
+    field.use = {std::vector<float>{1.0f, 1.0f, 0.3f, 0.3f}, {1.0f, 1.0f, 0.3f, 0.3f}};
+    const auto shared = std::make_shared<const StressField>(field);
+    scene.sections.front().fields = {shared};
+    const FieldMesh mesh = fieldMesh(scene.sections.front(), field);
+    QCOMPARE(mesh.vertices.size(), mesh.shares.size());
+    int walls = 0;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const double up = (mesh.vertices[i].position[1] - 20.0) / 80.0;
+        QVERIFY(std::abs(mesh.shares[i] - (1.0 - 0.7 * up)) < 1e-5);
+        walls += mesh.vertices[i].normal[3] == 127 ? 1 : 0;
+    }
+    QVERIFY(walls >= 16);
+    // From the top one sees its upper wall alone.
+    const auto wall = [&](float use) {
+        scene.sections.front().fields = {evenField(use, use)};
+        return middleOf(painted(scene, "top"));
+    };
+    QVERIFY(isHueOf(wall(1.0f), stressColour(1.0, false)));
+    QVERIFY(isHueOf(wall(0.6f), stressColour(0.6, false)));
+    const QColor little = wall(0.1f);
+    scene.sections.front().fields.clear();
+    QCOMPARE(little, middleOf(painted(scene, "top")));
+}
+
+void TestFieldPainter::wallsOfOtherPiecesHaveNone()
+{
+    Scene scene = plateScene({0.0});
+    StressField field = *evenField(1.0f, 1.0f);
+    for (Vec2 &point : field.points)
+        point.x() += 90.0;
+    for (const SlabVertex &vertex : fieldMesh(scene.sections.front(), field).vertices)
+        QVERIFY(vertex.normal[3] == 0);
+}
+
+// Wrong: a vertex, a line or a colour that stays where it was, or goes another way.
+void TestFieldPainter::bentOnTheCard()
+{
+    constexpr double kWay = 12.0, kTimes = 4.0; // mm
+    for (const bool hasField : {false, true}) {
+        Scene there = plateScene({0.0}), bent = there;
+        const Camera camera = cameraFor(there, "iso1", kView);
+        const StressFieldPointer field = evenField(0.8f, 0.8f);
+        SceneSection &section = bent.sections.front();
+        section.bent = std::make_shared<const BentSlab>(bentSlab(
+            *field, std::vector<Vec3>(4, Vec3(kWay, 2.0, -1.0) / kTimes), 0.5 * section.thickness));
+        section.bentTimes = kTimes;
+        SceneSection &moved = there.sections.front();
+        moved.frame.origin = moved.frame.toWorld(Vec2(kWay, 2.0)) - moved.frame.normal();
+        for (Scene *scene : {&there, &bent}) {
+            scene->bounds.extend(scene->bounds.max + Vec3::Constant(20.0));
+            scene->sections.front().bounds = scene->bounds;
+            if (hasField)
+                scene->sections.front().fields = {field};
+        }
+        const auto picture = [&](const Scene &scene) {
+            return OffscreenPainter().paint(scene, camera, kView, 1.0, {}, {});
+        };
+        const QImage a = picture(there), b = picture(bent);
+        int different = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x) {
+                const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+                different += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                                         std::abs(p.blue() - q.blue()) >
+                                     24
+                                 ? 1
+                                 : 0;
+            }
+        QVERIFY2(different < 30, qPrintable(QString::number(different)));
+    }
 }
 
 FFF_TEST_WITH(TestFieldPainter, fff::testing::runWithin<TestFieldPainter, QGuiApplication>)

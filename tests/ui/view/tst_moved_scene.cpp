@@ -5,7 +5,7 @@
 #include "core/model/edits.h"
 #include "tests/core/analysed.h"
 #include "tests/test_program.h"
-#include "ui/view/bent_mesh.h"
+#include "ui/view/bent_slab.h"
 #include "ui/view/moved_scene.h"
 #include "ui/view/offscreen_image.h"
 
@@ -40,6 +40,15 @@ std::shared_ptr<const BentModel> bentOf(const Holding &held)
 Vec3 placeOf(const SlabVertex &vertex, double half)
 {
     return {vertex.position[0], vertex.position[1], half * vertex.position[2]};
+}
+
+/// As it is drawn when it is bent as far as it really is.
+SlabMesh bentMesh(const BentSlab &slab)
+{
+    SlabMesh mesh = slab.flat;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        mesh.vertices[i].position = slab.placeAt(i, 1.0);
+    return mesh;
 }
 
 /// mm³ that the triangles enclose.
@@ -80,6 +89,7 @@ class TestMovedScene : public QObject
 private Q_SLOTS:
     void bentIsSolid();
     void asFarAsItIsSaid();
+    void facesTurnAsTheyBend();
     void whatIsLooseGoesWhole();
     void nothingMoves();
 };
@@ -94,7 +104,7 @@ void TestMovedScene::bentIsSolid()
         const Body &body = held.analysis->bodies.at(static_cast<int>(i));
         const double half = 0.5 * body.thickness();
         const std::vector<Vec3> still(field.points.size(), Vec3::Zero());
-        const SlabMesh flat = bentMesh(field, still, half);
+        const SlabMesh flat = bentMesh(bentSlab(field, still, half));
         QVERIFY(isClosed(flat));
         double area = 0.0;
         for (const auto &t : field.triangles)
@@ -106,7 +116,7 @@ void TestMovedScene::bentIsSolid()
         std::vector<Vec3> waved;
         for (const Vec2 &p : field.points)
             waved.emplace_back(0.0, 0.0, 4.0 * std::sin(0.05 * p.x()));
-        const SlabMesh wave = bentMesh(field, waved, half);
+        const SlabMesh wave = bentMesh(bentSlab(field, waved, half));
         QVERIFY(isClosed(wave));
         QVERIFY(std::abs(volumeOf(wave, half) / volumeOf(flat, half) - 1.0) < 1e-3);
     }
@@ -128,9 +138,10 @@ void TestMovedScene::asFarAsItIsSaid()
     for (std::size_t i = 0; i < shown.sections.size(); ++i) {
         const SceneSection &section = shown.sections[i];
         const StressField &field = *movement->bent->fields[i];
-        QVERIFY(section.mesh && section.frame == scene.sections[i].frame);
+        QVERIFY(section.bent && section.bentTimes == times &&
+                section.frame == scene.sections[i].frame);
         for (std::size_t k = 0; k < field.points.size(); ++k) {
-            const Vec3 at = placeOf(section.mesh->vertices[k], 1.0) -
+            const Vec3 at = placeOf({section.bent->placeAt(k, times), {}}, 1.0) -
                             Vec3(field.points[k].x(), field.points[k].y(), 1.0);
             farthest =
                 std::max(farthest, Vec3(at.x(), at.y(), 0.5 * section.thickness * at.z()).norm());
@@ -138,12 +149,42 @@ void TestMovedScene::asFarAsItIsSaid()
     }
     QVERIFY2(std::abs(farthest / (0.05 * movement->size) - 1.0) < 1e-3,
              qPrintable(QString::number(farthest)));
-    // The same again makes nothing anew; another one does.
-    const auto before = shown.sections.front().mesh;
-    QVERIFY(moved.at(scene, held.analysis->model, *movement, times).sections.front().mesh ==
-            before);
-    QVERIFY(moved.at(scene, held.analysis->model, *movement, 0.5 * times).sections.front().mesh !=
-            before);
+    // Another share of it makes nothing anew.
+    const auto before = shown.sections.front().bent;
+    const SceneSection &less =
+        moved.at(scene, held.analysis->model, *movement, 0.5 * times).sections.front();
+    QVERIFY(less.bent == before && less.bentTimes == 0.5 * times);
+}
+
+// Wrong: light and shade, or lines, of a sheet that is not bent like this one.
+void TestMovedScene::facesTurnAsTheyBend()
+{
+    const Holding held = heldOf("acrylic_thick_three.fff", true);
+    const auto model = bentOf(held);
+    const StressField &field = *model->fields.front();
+    std::vector<Vec3> moved;
+    for (const Vec2 &p : field.points)
+        moved.emplace_back(0.3 * p.y(), 0.1 * p.x() * p.x() / 50.0, 4.0 * std::sin(0.05 * p.x()));
+    constexpr double kTimes = 1.7;
+    const BentSlab slab = bentSlab(field, moved, 1.0);
+    std::vector<Vec3> wanted(field.points.size(), Vec3::Zero());
+    for (const auto &t : field.triangles) {
+        const auto at = [&](int i) {
+            const auto k = static_cast<std::size_t>(i);
+            return Vec3(Vec3(field.points[k].x(), field.points[k].y(), 0.0) + kTimes * moved[k]);
+        };
+        const Vec3 across = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
+        for (const int i : t)
+            wanted[static_cast<std::size_t>(i)] += across;
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const VertexMotion &motion = slab.motions[i];
+        Vec3 normal = Vec3::UnitZ();
+        for (int k = 0; k < 3; ++k)
+            normal[k] += kTimes * (motion.turn[static_cast<std::size_t>(k)] +
+                                   kTimes * motion.turnMore[static_cast<std::size_t>(k)]);
+        QVERIFY(normal.normalized().dot(wanted[i].normalized()) > 1.0 - 1e-6);
+    }
 }
 
 // Wrong: pieces that come loose grow, bend, or stay.

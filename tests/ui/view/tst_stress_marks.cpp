@@ -73,6 +73,7 @@ private Q_SLOTS:
     void forcesAtJointsAreOpposite();
     void whatIsNotKnownIsSaid();
     void allIsPaintedWhole();
+    void linesWhereColoursCannotBeRead();
 };
 
 // Wrong: another line than the one that is pointed at, or one behind a section.
@@ -207,6 +208,41 @@ void TestStressMarks::allIsPaintedWhole()
     glass.marks.lines.clear();
     glass.marks.lit = 3; // of what was there before
     QVERIFY(painted(glass.marks, glass.camera) != plain);
+}
+
+// Wrong: lines lie over colours that tell more, or a thin leg shows neither.
+void TestStressMarks::linesWhereColoursCannotBeRead()
+{
+    Loaded glass("glass_three_legs.fff");
+    StressMarks &marks = glass.marks;
+    marks.forces.clear();
+    const auto drawn = [&](double millimetresPerPixel) {
+        int count = 0;
+        for (const StressLine &line : marks.lines) {
+            Camera camera = glass.camera;
+            camera.target = 0.5 * (line.from + line.to);
+            camera.millimetresPerPixel = millimetresPerPixel;
+            const double side = line.normal.dot(camera.backward()) < 0.0 ? -1.0 : 1.0;
+            const Vec2 at = camera.toScreen(camera.target + side * line.half * line.normal, kSize);
+            count += painted(marks, camera)
+                                 .pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y())) !=
+                             Qt::white
+                         ? 1
+                         : 0;
+        }
+        return count;
+    };
+    constexpr double kNear = 0.02, kFar = 8.0; // mm a pixel
+    const int before = drawn(kNear);
+    QVERIFY(before > 0);
+    BentModel known;
+    known.fields.assign(glass.analysis->bodies.size(),
+                        std::make_shared<const StressField>(StressField()));
+    marks.bent = std::make_shared<const BentModel>(std::move(known));
+    QCOMPARE(drawn(kNear), 0);
+    QVERIFY(drawn(kFar) > 0);
+    marks.lit = static_cast<int>(marks.lines.size()) - 1; // what is asked about is always there
+    QVERIFY(drawn(kNear) > 0);
 }
 
 FFF_TEST_WITH(TestStressMarks, fff::testing::runWithin<TestStressMarks, QGuiApplication>)
