@@ -52,6 +52,7 @@ endif()
 # A real window with a real OpenGL view.
 set(windows
     ui/steps/tst_steps_view
+    ui/tst_check_links
     ui/tst_context_menu
     ui/tst_drawing
     ui/tst_joints

@@ -39,7 +39,7 @@ public:
     int heightForWidth(int width) const override;
 
 Q_SIGNALS:
-    void linkClicked(int index);
+    void linkClicked(int index, bool isByKey);
     void linkHovered(int index, bool isOver);
     void hovered(bool isOver);
 

@@ -219,7 +219,12 @@ void ChecksDock::refresh()
             const bool isThere = isOver && index < static_cast<int>(m_rows.size());
             m_bench.setLitProblem(isThere ? m_rows[static_cast<std::size_t>(index)].number : 0);
         });
-        connect(row, &CheckRow::linkClicked, this, [this, index](int link) { act(index, link); });
+        connect(row, &CheckRow::linkClicked, this, [this, index](int link, bool isByKey) {
+            // Who works with keys goes on with the next check.
+            const bool isEdited = act(index, link);
+            if (isEdited && !isByKey)
+                Q_EMIT viewWanted();
+        });
         connect(row, &CheckRow::linkHovered, this,
                 [this, index](int link, bool isOver) { tryOut(index, link, isOver); });
         m_column->insertWidget(static_cast<int>(m_widgets.size()), row);
@@ -448,14 +453,17 @@ void ChecksDock::showStock(const Finding &finding)
     Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
 }
 
-void ChecksDock::act(int row, int index)
+/// Whether it is an edit.
+bool ChecksDock::act(int row, int index)
 {
     const Row &of = m_rows[static_cast<std::size_t>(row)];
     const FindingAction action = of.mends[static_cast<std::size_t>(index)].action;
     const Finding finding = of.finding; // the rows change with the model
     if (isEdit(*action.kind)) {
         carryOut(action, finding);
-    } else if (action.kind == &kShowSteps) {
+        return true;
+    }
+    if (action.kind == &kShowSteps) {
         Q_EMIT stepsWanted();
     } else if (action.kind == &kChooseSheet || action.kind == &kWidenSlits ||
                action.kind == &kEnterStrength) {
@@ -466,6 +474,7 @@ void ChecksDock::act(int row, int index)
         QDesktopServices::openUrl(
             QUrl::fromLocalFile(QFileInfo(m_list.reportOf(finding)).absolutePath()));
     }
+    return false;
 }
 
 /// On the model that is there now, which the row may be older than. The window does not wait until

@@ -44,6 +44,8 @@ Q_SIGNALS:
     /// The stock editor, with this one.
     void stockWanted(fff::StockId stock);
     void stepsWanted();
+    /// A link was clicked, and the hand goes on in the view.
+    void viewWanted();
     /// It wants to be seen.
     void shown();
 
@@ -65,7 +67,7 @@ private:
     void showLook();
     int rowOf(int number) const; // of a problem; -1: there is none any more
     /// The link at the index was clicked.
-    void act(int row, int index);
+    bool act(int row, int index);
     /// The cursor is on it: the view shows what it would make.
     void tryOut(int row, int index, bool isOver);
     void showStock(const Finding &finding);

@@ -42,6 +42,8 @@ public:
                 static_cast<int>(std::ceil(metrics.height())) + 2 * kAround};
     }
     bool hasHeightForWidth() const override { return true; }
+    /// It was a key that clicked it last.
+    bool isByKey() const { return m_isByKey; }
     int heightForWidth(int width) const override
     {
         ensurePolished();
@@ -70,8 +72,14 @@ protected:
             painter.drawRect(rect().adjusted(0, 0, -1, -1));
         }
     }
+    void mousePressEvent(QMouseEvent *event) override
+    {
+        m_isByKey = false;
+        QAbstractButton::mousePressEvent(event);
+    }
     void keyPressEvent(QKeyEvent *event) override
     {
+        m_isByKey = true;
         if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
             click();
         else
@@ -101,6 +109,7 @@ protected:
 private:
     static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter;
     std::function<void(bool)> m_hovered; // also by the focus
+    bool m_isByKey = false;
 
     bool isCutShort() const { return wrapped(width()).width() > width() - 2 * kAround; }
     bool isOneLine(int width) const { return width >= sizeHint().width(); }
@@ -139,7 +148,8 @@ void LinkRow::setTexts(const QStringList &texts)
         link->setObjectName(QStringLiteral("checkLink%1").arg(index));
         // It comes after all rows otherwise: those are there first.
         QWidget::setTabOrder(m_links.empty() ? parentWidget() : m_links.back(), link);
-        connect(link, &QAbstractButton::clicked, this, [this, index] { Q_EMIT clicked(index); });
+        connect(link, &QAbstractButton::clicked, this,
+                [this, index, link] { Q_EMIT clicked(index, link->isByKey()); });
         m_links.push_back(link);
     }
     for (std::size_t i = 0; i < m_links.size(); ++i) {

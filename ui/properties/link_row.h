@@ -27,7 +27,8 @@ public:
     int heightForWidth(int width) const override;
 
 Q_SIGNALS:
-    void clicked(int index);
+    /// isByKey: not with the mouse.
+    void clicked(int index, bool isByKey);
     /// The cursor or the focus came to it, or left it (isOver: false).
     void hovered(int index, bool isOver);
 

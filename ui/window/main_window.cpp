@@ -196,6 +196,7 @@ void MainWindow::makeDocks()
     connect(m_badges, &Badges::clicked, m_checks, qOverload<Subject>(&ChecksDock::choose));
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
     connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_checks, &ChecksDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(m_checks, &ChecksDock::stepsWanted, this,
             [this] { run(QStringLiteral("check.showAssembly")); });
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
