@@ -17,7 +17,9 @@ namespace fff {
 /// Y of the lowest point of the slabs, mm; none without sections. O(vertices).
 std::optional<double> lowestPoint(const Model &model);
 
-/// The document with that point on the ground. Nothing where it is there (to 1 nm).
+/// The document with that point on the ground. Nothing where the model stands on it as it is
+/// (assembly/stability.h): also with what lies there with its middle at Y = 0, or is a tenth of a
+/// millimetre too low, as no verdict would be another one.
 std::optional<Document> droppedToGround(const Model &model);
 
 } // namespace fff

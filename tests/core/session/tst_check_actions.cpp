@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/analysis/checks.h"
+#include "core/analysis/dropping.h"
 #include "core/analysis/finding_action.h"
 #include "core/analysis/joining_move.h"
 #include "core/analysis/plan_checks.h"
@@ -107,6 +108,7 @@ private Q_SLOTS:
     void anyLooseSectionIsJoinedWell();
     void whatWasWantedOfAJointComesBack();
     void aLaterModelIsAskedAnew();
+    void onlyWhatDoesNotStandThereIsDropped();
 };
 
 void TestCheckActions::editsMend_data()
@@ -387,6 +389,25 @@ void TestCheckActions::aLaterModelIsAskedAnew()
                 later.model.indexOf(*loose->details<Gap>()->other) >= 0);
         QCOMPARE(carriedOut({&kDeleteSections, {}}, *loose, later).has_value(), gone == 0);
     }
+}
+
+// Wrong: a command that moves a model which stands on the ground, by what nobody sees.
+void TestCheckActions::onlyWhatDoesNotStandThereIsDropped()
+{
+    const Document upright = eggCrate(2, 2);
+    const auto isDropped = [](const Document &document, double height) {
+        const auto next = droppedToGround(evaluate(moveAll(document, {0, height, 0})));
+        return next && std::abs(*lowestPoint(evaluate(*next))) < 1e-9;
+    };
+    for (const double height : {0.0, 0.04, -0.04, -0.15})
+        QVERIFY2(!isDropped(upright, height), qPrintable(QString::number(height)));
+    for (const double height : {0.06, 20.0, -0.25, -20.0})
+        QVERIFY2(isDropped(upright, height), qPrintable(QString::number(height)));
+    // It lies there, with its middle or its lower face at Y = 0.
+    const Document lying = withSection(newDocument(), plateOf(-40, -40, 40, 40), lyingAt(0));
+    QVERIFY(!isDropped(lying, 0.0) && !isDropped(lying, 1.5));
+    QVERIFY(isDropped(lying, 2.0) && isDropped(lying, -1.0));
+    QVERIFY(!droppedToGround(evaluate(newDocument())));
 }
 
 FFF_TEST(TestCheckActions)
