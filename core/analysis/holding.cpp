@@ -21,8 +21,9 @@ Result<Holding> holding(const Snapshot &snapshot, const Holding *previous, Progr
 {
     StrengthRules rules = snapshot.get(kRules).strength;
     rules.isElastic = false;
-    Holding out = holdingOf(snapshot.get(kAnalysed).analysis, rules,
-                            previous ? previous->caches : std::make_shared<StrengthCaches>());
+    Holding out =
+        holdingOf(snapshot.get(kAnalysed).analysis, rules,
+                  previous ? previous->caches : std::make_shared<StrengthCaches>(), {stop, {}});
     if (stop.stop_requested())
         return failure(ErrorCode::Cancelled);
     return out;

@@ -259,6 +259,8 @@ void Straining::strain(double scale, std::span<const int> bodies, Detail detail,
         forces.push_back(forcesOn(m_analysis.bodies, strength.made, loaded, equilibrium));
     }
     for (const int index : bodies) {
+        if (isStopped())
+            return; // whoever did so wants none of this
         const auto i = static_cast<std::size_t>(index);
         std::vector<const std::vector<AppliedForce> *> cases;
         for (std::size_t k = 0; k < forces.size(); ++k)

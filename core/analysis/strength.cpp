@@ -95,9 +95,9 @@ Strength forcesIn(const Analysis &analysis, ModelStructure made, const StrengthR
 }
 
 void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
-                 Strength &strength)
+                 Strength &strength, const LongWork &work)
 {
-    Straining(analysis, rules, caches).stress(1.0, strength);
+    Straining(analysis, rules, caches, work).stress(1.0, strength);
     strength.verdict = verdictOf(strength, rules.safety);
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> used;
     for (std::size_t i = 0; i < analysis.bodies.size(); ++i)
@@ -115,7 +115,7 @@ Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, Streng
                     const LongWork &work)
 {
     Strength strength = forcesIn(analysis, rules, caches, work);
-    addStresses(analysis, rules, caches, strength);
+    addStresses(analysis, rules, caches, strength, work);
     return strength;
 }
 

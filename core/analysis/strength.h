@@ -92,7 +92,7 @@ Strength forcesIn(const Analysis &analysis, ModelStructure made, const StrengthR
 Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
                   const LongWork &work = {});
 void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
-                 Strength &strength);
+                 Strength &strength, const LongWork &work = {});
 
 /// A joint of what does not stand is pulled open.
 bool isPulledApart(const Equilibrium &equilibrium);

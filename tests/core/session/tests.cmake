@@ -3,6 +3,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_assembly_plan
     core/session/tst_assembly_steps
     core/session/tst_autosave
+    core/session/tst_bad_loads
     core/session/tst_bearing_map
     core/session/tst_bent_model
     core/session/tst_case_models
@@ -19,6 +20,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_load_points
     core/session/tst_loads_on_copies
     core/session/tst_loose_pieces
+    core/session/tst_many_sections
     core/session/tst_mark_distances
     core/session/tst_operation_commands
     core/session/tst_own_finding
@@ -45,7 +47,8 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
 target_sources(tests_session PRIVATE
     bench/generated_models.cpp
     core/physics/reference_case.cpp
-    core/physics/reference_truth.cpp)
+    core/physics/reference_truth.cpp
+    core/session/staged.cpp)
 target_compile_definitions(tests_session PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 # They count what is allocated in all of the program.
