@@ -1,46 +1,31 @@
 #include "app/cli/weight_options.h"
 
+#include "core/base/expression.h"
+
 #include <QRegularExpression>
 
-#include <cmath>
+#include <limits>
 
 namespace fff::cli {
 
 namespace {
 
-constexpr double kMostMass = 1e6; // kg
+/// Kilograms or grams: of a number alone nobody knows, so that it is none.
+constexpr double kNoUnit = std::numeric_limits<double>::quiet_NaN();
 
 QString tr(const char *text)
 {
     return QCoreApplication::translate("CommandLine", text);
 }
 
-/// kg in one of these.
-std::optional<double> kilogramsIn(const QString &unit)
-{
-    if (unit == QLatin1String("g"))
-        return 1e-3;
-    if (unit == QLatin1String("kg"))
-        return 1.0;
-    if (unit == QLatin1String("lb"))
-        return 0.45359237;
-    if (unit == QLatin1String("oz"))
-        return 0.028349523125;
-    return std::nullopt;
-}
-
+/// As a field of the window reads it. Commas are not for a line that is to mean the same wherever
+/// it is typed.
 std::optional<double> massOf(const QString &text)
 {
-    static const QRegularExpression form(QStringLiteral("^\\s*([-+.0-9eE]+)\\s*([a-z]+)\\s*$"));
-    const QRegularExpressionMatch match = form.match(text);
-    if (!match.hasMatch())
+    if (text.contains(u','))
         return std::nullopt;
-    bool isNumber = false;
-    const double number = match.captured(1).toDouble(&isNumber);
-    const auto unit = kilogramsIn(match.captured(2));
-    if (!isNumber || !unit || !(number > 0.0) || number * *unit > kMostMass)
-        return std::nullopt;
-    return number * *unit;
+    const auto mass = readMass(text.toStdString(), kNoUnit, Commas::Decimals).value;
+    return mass && *mass > 0.0 && *mass <= kMaxWeight ? mass : std::nullopt;
 }
 
 /// "NAME@X,Y" where the section is not called so itself.

@@ -110,6 +110,9 @@ void TestCliSimulate::wrongWeights_data()
     QTest::addColumn<QString>("weight");
     QTest::newRow("no mass") << u"Shelf"_s;
     QTest::newRow("no unit") << u"Shelf=3"_s;
+    QTest::newRow("no unit in a part") << u"Shelf=1kg+3"_s;
+    QTest::newRow("a comma, of thousands or decimals") << u"Shelf=1,000g"_s;
+    QTest::newRow("not finite") << u"Shelf=1kg/0"_s;
     QTest::newRow("nothing") << u"Shelf=0g"_s;
     QTest::newRow("less than nothing") << u"Shelf=-1kg"_s;
     QTest::newRow("more than all") << u"Shelf=1000001kg"_s;
