@@ -74,9 +74,12 @@ MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &grou
     MassProperties sum;
     for (const int body : group)
         sum += bodies.at(body).mass();
+    // Of thousands of groups each looks at the loads of its own sections only.
+    std::vector<int> sections = sectionsOf(bodies, group);
+    std::sort(sections.begin(), sections.end());
     for (const PlacedLoad &placed : placedLoads(model)) {
         const Load &load = model.document.loads[static_cast<std::size_t>(placed.load)];
-        if (load.isPush() || bodies.countOf(placed.section) == 0)
+        if (load.isPush() || !std::binary_search(sections.begin(), sections.end(), placed.section))
             continue;
         const int body = bodyAt(bodies, placed.section, placed.position);
         if (std::find(group.begin(), group.end(), body) != group.end())

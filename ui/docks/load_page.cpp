@@ -124,7 +124,7 @@ void LoadPage::addWeightRows(PropertyGroup *group)
         ->setToolTip(tr("Also in kg, oz or lb: 1.5 kg, 2 lb"));
     auto *field = new NumberEdit(kWaterRange, tr("ml"));
     field->setFixedWidth(kWaterField);
-    m_water = new SliderField({0.0, 350.0, 10.0, 5}, field, group);
+    m_water = new SliderField({0.0, 0.0, 10.0, 5}, field, group);
     m_water->setNames("loadWaterSlider", "loadWater.field");
     connect(m_water, &SliderField::dragged, this, [this](double millilitres) {
         preview([millilitres](Load &load) { fill(load, millilitres); });
@@ -136,7 +136,12 @@ void LoadPage::addWeightRows(PropertyGroup *group)
     add(group,
         new EditorRow(
             tr("Water in it"), "loadWater", m_water,
-            [this] { m_water->setNumber(kGramsOfKilogram * load().filled); }, group),
+            [this] {
+                if (const LoadPreset *preset = loadPreset(load().preset))
+                    m_water->setMost(kGramsOfKilogram * preset->holds);
+                m_water->setNumber(kGramsOfKilogram * load().filled);
+            },
+            group),
         [this] {
             const LoadPreset *preset = loadPreset(load().preset);
             return preset && preset->holds > 0.0;

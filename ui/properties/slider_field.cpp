@@ -69,6 +69,14 @@ int SliderField::toNotch(double number) const
         std::lround(std::clamp(number, m_scale.least, m_scale.most) / m_scale.notch));
 }
 
+void SliderField::setMost(double most)
+{
+    m_isSetting = true;
+    m_scale.most = most;
+    m_slider->setMaximum(toNotch(most));
+    m_isSetting = false;
+}
+
 void SliderField::setNumber(std::optional<double> number)
 {
     m_isSetting = true;

@@ -23,6 +23,8 @@ public:
     };
     SliderField(const Scale &scale, NumberEdit *edit, QWidget *parent = nullptr);
 
+    /// Of the slider's scale.
+    void setMost(double most);
     /// Announces nothing. Nothing: several things that differ.
     void setNumber(std::optional<double> number);
     /// What waits to be announced is, now: the field is about to be for something else.

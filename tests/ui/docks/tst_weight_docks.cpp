@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSlider>
 #include <QTreeWidget>
 #include <QUndoStack>
 
@@ -174,6 +175,15 @@ void TestWeightDocks::aGlassHoldsWater()
     type("loadWater.field", QStringLiteral("350"));
     QVERIFY(std::abs(load().mass - 0.625) < 1e-12);
     QVERIFY(std::abs(load().filled - 0.35) < 1e-12);
+    // Wrong: a slider that ends before the vessel is full, or goes on beyond that.
+    const auto *slider = m_window->findChild<QSlider *>(QStringLiteral("loadWaterSlider"));
+    QCOMPARE(slider->value(), slider->maximum());
+    choose("loadPreset", 6);
+    QCOMPARE(load().preset, std::string("pot"));
+    type("loadWater.field", QStringLiteral("300"));
+    QCOMPARE(slider->value(), slider->maximum());
+    type("loadWater.field", QStringLiteral("150"));
+    QCOMPARE(2 * slider->value(), slider->maximum());
     choose("loadPreset", 5);
     QCOMPARE(load().name, std::string("Book"));
     QCOMPARE(load().filled, 0.0);
