@@ -2,6 +2,7 @@
 
 #include "core/analysis/straining.h"
 #include "core/physics/fitting_motions.h"
+#include "core/physics/sparse_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ struct BentBody
     std::vector<std::vector<WrenchVector>> cases; // of each way to share: at each attachment
     double strength = 0.0;                        // MPa
     std::vector<double> cornerUses;               // of its mesh's sharp corners
-    StressFieldPointer field;
+    StressFieldPointer field, drawn;
     std::vector<WrenchVector> moved; // of each attachment
 };
 
@@ -138,6 +139,7 @@ void fillIn(BentBody &bent, int index, const Body &body, const PlateModel &model
     }
     bent.field = std::make_shared<const StressField>(
         stressField(model, cases, bent.strength, bent.cornerUses));
+    bent.drawn = std::make_shared<const StressField>(sparseField(*bent.field));
     for (std::size_t i = 0; i < attachments.size(); ++i) {
         WrenchVector moved = attachmentMotion(model, cases.front(), attachments[i]);
         const Vec3 turn = moved.tail<3>();
@@ -175,9 +177,13 @@ void setMotions(BentModel &model, const Strength &strength,
 
 Vec3 BentModel::moved(int body, std::size_t point) const
 {
+    return moved(body, *fields[static_cast<std::size_t>(body)], point);
+}
+
+Vec3 BentModel::moved(int body, const StressField &field, std::size_t point) const
+{
     const auto i = static_cast<std::size_t>(body);
     const Frame &frame = analysis->bodies.at(body).frame();
-    const StressField &field = *fields[i];
     const Vec3 own = field.moved[point].cast<double>();
     const Vec3 at = frame.toWorld(field.points[point]) - centroids[i];
     return motions[i].translation + motions[i].rotation.cross(at) + own.x() * frame.x +
@@ -191,6 +197,7 @@ Result<BentModel> bentModel(AnalysisPointer analysis, const Strength &strength,
     model.analysis = std::move(analysis);
     const Bodies &bodies = model.analysis->bodies;
     model.fields.resize(bodies.size());
+    model.drawn.resize(bodies.size());
     std::vector<std::shared_ptr<const BentBody>> bent(bodies.size());
     std::vector<std::vector<char>> hasForces;
     for (const Equilibrium &equilibrium : strength.envelope)
@@ -206,7 +213,7 @@ Result<BentModel> bentModel(AnalysisPointer analysis, const Strength &strength,
         work.tell(static_cast<double>(i) / static_cast<double>(bodies.size()));
         if (!hasForces.front()[i] || !known.strength)
             continue;
-        BentBody now{std::move(holds[i]), {}, *known.strength, {}, nullptr, {}};
+        BentBody now{std::move(holds[i]), {}, *known.strength, {}, nullptr, nullptr, {}};
         for (std::size_t k = 0; k < strength.envelope.size(); ++k)
             if (hasForces[k][i])
                 now.cases.push_back(wrenchesOn(now.hold, index, strength.envelope[k]));
@@ -217,6 +224,7 @@ Result<BentModel> bentModel(AnalysisPointer analysis, const Strength &strength,
         if (before != caches.bent.end() && carriesTheSame(*before->second, now, rounding) &&
             areAlike(before->second->cornerUses, now.cornerUses)) {
             now.field = before->second->field;
+            now.drawn = before->second->drawn;
             now.moved = before->second->moved;
         } else {
             const Stock &stock =
@@ -230,6 +238,7 @@ Result<BentModel> bentModel(AnalysisPointer analysis, const Strength &strength,
             fillIn(now, index, *body, *plate, strength.made.structure.gravity);
         }
         model.fields[i] = now.field;
+        model.drawn[i] = now.drawn;
         bent[i] = std::make_shared<const BentBody>(std::move(now));
         used[body] = bent[i];
     }

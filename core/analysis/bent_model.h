@@ -13,6 +13,7 @@ struct BentModel
 {
     AnalysisPointer analysis;               // that it is of
     std::vector<StressFieldPointer> fields; // of each body; null: rigid, or nothing is known of it
+    std::vector<StressFieldPointer> drawn;  // the same, as sparse as it may be drawn
     std::vector<RigidMotion> motions;       // of each about its centroid, mm; a field's own
                                             // displacements come on top
     std::vector<Vec3> centroids;            // of each, world, mm
@@ -22,6 +23,8 @@ struct BentModel
 
     /// Of a point of a body's field, world, mm.
     Vec3 moved(int body, std::size_t point) const;
+    /// Of a point of another field over that body.
+    Vec3 moved(int body, const StressField &field, std::size_t point) const;
 };
 
 /// Under the forces that were found, of all bodies whose forces are known and whose strength is.

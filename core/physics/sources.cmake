@@ -31,6 +31,7 @@ target_sources(fff_core PRIVATE
     physics/section_cuts.cpp
     physics/section_outline.cpp
     physics/section_stress.cpp
+    physics/sparse_field.cpp
     physics/stress_field.cpp
     physics/stress_places.cpp
     physics/wall_pressure.cpp

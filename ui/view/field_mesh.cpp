@@ -114,9 +114,25 @@ void addWalls(FieldMesh &mesh, const SceneSection &section, const StressField &f
     }
 }
 
+/// Most of most models: no need to have the graphics card find out with each picture.
+void leaveOutLess(FieldMesh &mesh, double least)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+        float most = 0.0f;
+        for (std::size_t k = 0; k < 3; ++k)
+            most = std::max(most, mesh.shares[mesh.triangles[i + k]]);
+        if (static_cast<double>(most) < least)
+            continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            mesh.triangles[kept++] = mesh.triangles[i + k];
+    }
+    mesh.triangles.resize(kept);
+}
+
 } // namespace
 
-FieldMesh fieldMesh(const SceneSection &section, const StressField &field)
+FieldMesh fieldMesh(const SceneSection &section, const StressField &field, double least)
 {
     FieldMesh mesh;
     if (section.bent) {
@@ -126,11 +142,12 @@ FieldMesh fieldMesh(const SceneSection &section, const StressField &field)
         const auto count = static_cast<std::uint32_t>(field.points.size());
         for (const std::uint32_t on : section.bent->onFace)
             mesh.shares.push_back(field.use[on / count][on % count]);
-        return mesh;
+    } else {
+        addFaces(mesh, field);
+        if (static_cast<double>(field.most) >= least)
+            addWalls(mesh, section, field);
     }
-    addFaces(mesh, field);
-    if (section.cut || section.shape)
-        addWalls(mesh, section, field);
+    leaveOutLess(mesh, least);
     return mesh;
 }
 

@@ -18,7 +18,8 @@ struct FieldMesh
 
 /// Of what is bent, its own mesh. Else the field's triangles over both faces, and the slab's walls
 /// so far as they are this body's: there the use is that of the nearest place on the field's edge.
-/// Walls that other slabs cover have none.
-FieldMesh fieldMesh(const SceneSection &section, const StressField &field);
+/// Walls that other slabs cover have none, and triangles that are strained less than `least` all
+/// over are left out.
+FieldMesh fieldMesh(const SceneSection &section, const StressField &field, double least = 0.0);
 
 } // namespace fff::ui

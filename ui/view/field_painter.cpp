@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace fff::ui {
 
@@ -28,8 +29,13 @@ FieldPainter::~FieldPainter()
         free(buffers);
 }
 
-void FieldPainter::update(const Scene &scene)
+void FieldPainter::update(const Scene &scene, double least)
 {
+    if (std::exchange(m_least, least) != least) {
+        for (const auto &[key, buffers] : m_fields)
+            free(buffers);
+        m_fields.clear();
+    }
     for (auto &[key, buffers] : m_fields)
         buffers.isUsed = false;
     for (const SceneSection &section : scene.sections) {
@@ -62,7 +68,7 @@ FieldPainter::Key FieldPainter::keyOf(const StressFieldPointer &field, const Sce
 FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field,
                                            const SceneSection &section)
 {
-    const FieldMesh mesh = fieldMesh(section, *field);
+    const FieldMesh mesh = fieldMesh(section, *field, m_least);
     Buffers buffers;
     buffers.field = field;
     buffers.bent = section.bent;
@@ -130,6 +136,8 @@ void FieldPainter::draw(const SceneSection &section, const FrameView &view, cons
     p.setUniformValue("pixel", static_cast<float>(view.ratio()));
     for (const StressFieldPointer &field : section.fields) {
         const Buffers &buffers = m_fields.at(keyOf(field, section));
+        if (buffers.count == 0)
+            continue;
         m_gl.glBindVertexArray(buffers.array);
         m_gl.glDrawElements(GL_TRIANGLES, buffers.count, GL_UNSIGNED_INT, nullptr);
     }

@@ -28,8 +28,9 @@ public:
     FieldPainter &operator=(const FieldPainter &) = delete;
 
     bool isReady() const { return m_program != nullptr; }
-    /// Uploads what is new in the scene and frees what is no longer in it.
-    void update(const Scene &scene);
+    /// Uploads what is new in the scene and frees what is no longer in it. Of what is strained less
+    /// than `least` next to nothing is uploaded.
+    void update(const Scene &scene, double least);
     /// Of a section of the scene that update() has seen last. Depth and blending are the caller's
     /// matter.
     void draw(const SceneSection &section, const FrameView &view, const FieldLook &look);
@@ -53,6 +54,7 @@ private:
     Gl &m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     std::map<Key, Buffers> m_fields;
+    double m_least = 0.0; // that they are uploaded for
 };
 
 } // namespace fff::ui

@@ -32,7 +32,7 @@ Vec3 movedAt(const Movement &movement, int section, const Vec3 &at)
         const int index = bodies.firstOf(section) + piece;
         const auto i = static_cast<std::size_t>(index);
         const Body &body = bodies.at(index);
-        const StressField *field = movement.bent ? movement.bent->fields[i].get() : nullptr;
+        const StressField *field = movement.bent ? movement.bent->drawn[i].get() : nullptr;
         if (!field) {
             const double away = distanceBetween(body.box(), Box3{at, at});
             if (away < nearest) {
@@ -46,7 +46,7 @@ Vec3 movedAt(const Movement &movement, int section, const Vec3 &at)
             const double away = (body.frame().toWorld(field->points[k]) - at).norm();
             if (away < nearest) {
                 nearest = away;
-                moved = movement.bent->moved(index, k);
+                moved = movement.bent->moved(index, *field, k);
             }
         }
     }
@@ -76,14 +76,14 @@ void MovedScene::bend(const Movement &movement)
     m_slabs.assign(movement.analysis->bodies.size(), nullptr);
     m_reaches.assign(m_slabs.size(), {});
     for (std::size_t i = 0; m_bent && i < m_slabs.size(); ++i) {
-        if (!m_bent->fields[i])
+        if (!m_bent->drawn[i])
             continue;
-        const StressField &field = *m_bent->fields[i];
+        const StressField &field = *m_bent->drawn[i];
         const Body &body = movement.analysis->bodies.at(static_cast<int>(i));
         std::vector<Vec3> moved;
         moved.reserve(field.points.size());
         for (std::size_t k = 0; k < field.points.size(); ++k) {
-            const Vec3 to = m_bent->moved(static_cast<int>(i), k);
+            const Vec3 to = m_bent->moved(static_cast<int>(i), field, k);
             moved.emplace_back(to.dot(body.frame().x), to.dot(body.frame().y),
                                to.dot(body.frame().normal()));
         }
@@ -116,7 +116,7 @@ const Scene &MovedScene::at(const Scene &scene, const Model &model, const Moveme
             section.marks.clear(); // they are on what is flat
             section.fields.clear();
             if (!scene.sections[of].fields.empty())
-                section.fields = {movement.bent->fields[i]};
+                section.fields = {movement.bent->drawn[i]};
         } else if (bodies.countOf(bodies.sectionOf(index)) > 1 &&
                    index != bodies.firstOf(bodies.sectionOf(index))) {
             continue; // the first of its pieces is drawn with all of them

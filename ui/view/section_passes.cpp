@@ -43,7 +43,7 @@ void SectionPasses::begin(const Scene &scene, const FrameView &view, const ViewS
     m_view = view;
     m_painter.begin(view, scene);
     m_marks.update(scene);
-    m_fields.update(scene);
+    m_fields.update(scene, options.leastStress);
 }
 
 SectionPasses::Kind SectionPasses::kindOf(std::size_t index) const

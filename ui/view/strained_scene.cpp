@@ -17,7 +17,7 @@ void showStress(Scene &scene, const Model &model, const BentModel *bent)
         const bool isThere = of < model.sectionCount() && model.ref(of) == before.ref(of);
         const int at = isThere ? static_cast<int>(of) : model.indexOf(before.ref(of));
         if (at >= 0)
-            scene.sections[static_cast<std::size_t>(at)].fields.push_back(bent->fields[i]);
+            scene.sections[static_cast<std::size_t>(at)].fields.push_back(bent->drawn[i]);
     }
 }
 

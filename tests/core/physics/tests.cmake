@@ -12,6 +12,7 @@ fff_tests(tests_physics LIBRARIES fff::core Polyclipping::Polyclipping TESTS
     core/physics/tst_plate_model
     core/physics/tst_section_extremes
     core/physics/tst_section_stress
+    core/physics/tst_sparse_field
     core/physics/tst_stress_field
     core/physics/tst_wall_pressure
     ALONE
