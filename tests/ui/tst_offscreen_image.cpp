@@ -49,6 +49,7 @@ private Q_SLOTS:
     void whatWasCurrentStaysCurrent();
     void impossibleSizesGiveNone();
     void emptyModelHasAPicture();
+    void weightsAreSeenWhole();
 };
 
 void TestOffscreenImage::modelFillsThePicture_data()
@@ -128,6 +129,32 @@ void TestOffscreenImage::emptyModelHasAPicture()
     const Scene scene = sceneOf(analyse(evaluate(newDocument()), caches));
     OffscreenPainter painter;
     QVERIFY(!painter.paint(scene, cameraFor(scene, "iso1", {64, 64}), {64, 64}).isNull());
+}
+
+// Wrong: a glass on a low stand is cut off by the picture's border.
+void TestOffscreenImage::weightsAreSeenWhole()
+{
+    Scene scene;
+    scene.bounds = {Vec3(-10.0, 0.0, -10.0), Vec3(10.0, 5.0, 10.0)};
+    SceneThing glass;
+    glass.preset = "glass";
+    glass.mass = 0.3;
+    glass.at = Vec3(0.0, 5.0, 0.0);
+    scene.things = {glass};
+    const Vec2 size(320, 200);
+    std::vector<ThingVertex> vertices;
+    addTriangles(glass, vertices);
+    QVERIFY(!vertices.empty());
+    for (const char *view : {"front", "iso1", "top"}) {
+        const Camera camera = cameraFor(scene, view, size);
+        for (const ThingVertex &vertex : vertices) {
+            const Vec2 at = camera.toScreen(
+                Vec3(vertex.position[0], vertex.position[1], vertex.position[2]), size);
+            QVERIFY(at.minCoeff() >= 0.0 && at.x() <= size.x() && at.y() <= size.y());
+        }
+    }
+    scene.things.front().isHidden = true;
+    QVERIFY(cameraFor(scene, "front", size).millimetresPerPixel < 0.2);
 }
 
 FFF_TEST_WITH(TestOffscreenImage, fff::testing::runWithin<TestOffscreenImage, QGuiApplication>)

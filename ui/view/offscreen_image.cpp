@@ -132,7 +132,17 @@ Camera cameraFor(const Scene &scene, const std::string &view, const Vec2 &viewpo
 
 Camera cameraFor(const Scene &scene, Camera camera, const Vec2 &viewport)
 {
-    camera = fitted(camera, scene.bounds, viewport);
+    std::vector<ThingVertex> things; // weights are seen, too
+    for (const SceneThing &thing : scene.things)
+        if (!thing.isHidden)
+            addTriangles(thing, things);
+    const auto placeOf = [](const ThingVertex &vertex) {
+        return Vec3(vertex.position[0], vertex.position[1], vertex.position[2]);
+    };
+    Box3 box = scene.bounds;
+    for (const ThingVertex &vertex : things)
+        box.extend(placeOf(vertex));
+    camera = fitted(camera, box, viewport);
     // The box of a turned model is much larger than what is seen of it: go by what is seen. Twice,
     // since how near a thing is may change where it is seen.
     constexpr int kRounds = 2;
@@ -144,6 +154,8 @@ Camera cameraFor(const Scene &scene, Camera camera, const Vec2 &viewport)
                 for (const double side : {-1.0, 1.0})
                     seen.extend(camera.toScreen(section.frame.toWorld(p) + side * half, viewport));
         }
+        for (const ThingVertex &vertex : things)
+            seen.extend(camera.toScreen(placeOf(vertex), viewport));
         if (seen.isEmpty())
             break;
         const double share = (seen.size().array() / viewport.array()).maxCoeff();
