@@ -148,8 +148,7 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
         m_places.push_back(button);
     }
     column->addWidget(m_placesGroup);
-    makeRules(page);
-    column->addWidget(page->findChild<QWidget *>(QStringLiteral("physicsRules")));
+    column->addWidget(makeRules(page));
     column->addStretch(1);
     area->setWidget(page);
     setWidget(area);
@@ -193,8 +192,7 @@ void PhysicsDock::makeLoads(QWidget *parent)
     m_empty->setContentsMargins(0, 4, 0, 4);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_loads->add(m_empty);
-    auto *weights = new PropertyGroup(QString(), parent);
-    weights->findChild<QPushButton *>()->hide(); // it stands under the heading of the loads
+    auto *weights = new PropertyGroup(QString(), parent); // under the heading of the loads
     m_loads->add(weights);
     m_weights = new VaryingRows(*weights);
     const auto sum = [this](const QString &name, const char *objectName,
@@ -229,10 +227,9 @@ void PhysicsDock::makeLoads(QWidget *parent)
     m_loads->add(row);
 }
 
-void PhysicsDock::makeRules(QWidget *parent)
+QWidget *PhysicsDock::makeRules(QWidget *parent)
 {
     auto *rules = new PropertyGroup(tr("How strict"), parent);
-    rules->setObjectName(QStringLiteral("physicsRules"));
     auto *safety = new NumberEdit(kSafety, QString());
     safety->setFixedWidth(kFieldWidth);
     connect(safety, &NumberEdit::numberEdited, this, [](double factor) {
@@ -264,6 +261,7 @@ void PhysicsDock::makeRules(QWidget *parent)
     row->setToolTip(tr("Then a stock bears less, as it says itself: acrylic a quarter"));
     rules->add(row);
     m_rules.push_back(row);
+    return rules;
 }
 
 void PhysicsDock::addLoadRow(std::size_t index)

@@ -51,7 +51,7 @@ private:
     };
 
     void makeLoads(QWidget *parent);
-    void makeRules(QWidget *parent);
+    QWidget *makeRules(QWidget *parent);
     void addLoadRow(std::size_t index);
     void refresh();
     void refreshBending();

@@ -201,6 +201,7 @@ PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
 {
     m_title->setObjectName(QStringLiteral("groupTitle"));
     m_title->setText(name);
+    m_title->setHidden(name.isEmpty());
     m_title->setIcon(themedIcon(QStringLiteral("chevron_down")));
     m_title->setIconSize({14, 14});
     auto *rows = new QVBoxLayout(m_rows);

@@ -115,6 +115,7 @@ private:
 class PropertyGroup : public QWidget
 {
 public:
+    /// Without a name it has no heading, and does not fold.
     explicit PropertyGroup(const QString &name, QWidget *parent = nullptr);
     void add(QWidget *row);
 
