@@ -24,10 +24,12 @@ target_sources(fff_ui PRIVATE
     bench/marked_scene.cpp
     bench/measures.cpp
     bench/number_names.cpp
+    bench/seen.cpp
     bench/status_line.cpp
     bench/touch_input.cpp
     bench/view_input.cpp
     bench/bearing_picture.cpp
+    bench/strained_view.cpp
     bench/stress_picture.cpp
     bench/viewport.cpp
     bench/workbench.cpp

@@ -4,6 +4,7 @@
 #include "core/interaction/pick.h"
 #include "core/session/scheduler.h"
 #include "ui/bench/workbench.h"
+#include "ui/settings/settings.h"
 
 #include <QCoreApplication>
 
@@ -87,8 +88,11 @@ const BearingMarks *BearingPicture::marks()
         return nullptr;
     const Scheduler &scheduler = m_bench.session().scheduler();
     auto map = bearingNow(scheduler);
-    if (map != m_marks.map)
+    if (map != m_marks.map) {
         m_marks.asked.reset();
+        m_marks.field = map && !map->points.empty() ? bearingField(*map) : nullptr;
+    }
+    m_marks.saysRigid = settings().bendsSections();
     m_marks.map = std::move(map);
     m_marks.said = bearingState(scheduler);
     m_marks.isOlder =

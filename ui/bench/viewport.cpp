@@ -5,14 +5,12 @@
 #include "ui/base/cursors.h"
 #include "ui/base/focus_frame.h"
 #include "ui/base/theme.h"
-#include "ui/bench/held.h"
 #include "ui/bench/marked_scene.h"
 #include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
 #include "ui/view/measure_marks.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/steps_scene.h"
-#include "ui/view/strained_scene.h"
 
 #include <QContextMenuEvent>
 #include <QFocusEvent>
@@ -48,15 +46,9 @@ bool isTouch(QEvent::Type type)
 
 } // namespace
 
-bool Viewport::Seen::isSamePicture(const Seen &other) const
-{
-    return camera == other.camera && view == other.view && isGhosted == other.isGhosted &&
-           operation == other.operation;
-}
-
 Viewport::Viewport(Workbench &bench, QWidget *parent)
     : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr),
-      m_stress(bench), m_bearing(bench)
+      m_strained(bench)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
     QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
@@ -108,12 +100,11 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
             m_triedBuilder.setAnalysis(m_bench.tried());
         rebuildScene();
     });
-    connect(&bench, &Workbench::movementChanged, this, [this] {
+    connect(&m_strained, &StrainedView::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_strained, &StrainedView::moved, this, [this] {
         m_isPictureChanged = true;
         update();
     });
-    connect(&m_stress, &StressPicture::changed, this, qOverload<>(&QWidget::update));
-    connect(&m_bearing, &BearingPicture::changed, this, qOverload<>(&QWidget::update));
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
 }
@@ -158,12 +149,9 @@ void Viewport::paintGL()
         options.isXray = interaction.view().isXray;
         options.hasGround = interaction.view().hasGround;
         options.clip = interaction.view().clip;
-        const StressMarks *stress = m_stress.marks();
-        showStress(m_scene, m_bench.shownModel(), stress ? stress->bent.get() : nullptr);
-        options.leastStress = stress ? stress->least : options.leastStress;
-        options.stressAlpha = stress && stress->isOlder ? kOlderStress : 1.0;
-        m_renderer.render(shownScene(), interaction.camera(), Vec2(width(), height()),
-                          devicePixelRatioF(), theme().viewStyle(), options);
+        const Scene &shown = m_steps ? m_steps->scene : m_strained.shown(m_scene, options);
+        m_renderer.render(shown, interaction.camera(), Vec2(width(), height()), devicePixelRatioF(),
+                          theme().viewStyle(), options);
         context()->functions()->glFinish(); // the time is that of the picture, not of asking for it
         m_pace.end(frameTime());
         if (const std::optional<double> rest = m_pace.restTime())
@@ -176,19 +164,6 @@ void Viewport::paintGL()
     if (!m_isUsable)
         painter.fillRect(rect(), theme().viewStyle().bottom);
     painter.drawImage(QPointF(0.0, 0.0), m_marks);
-}
-
-/// The assembly, the model where it moves, or the model.
-const Scene &Viewport::shownScene()
-{
-    if (m_steps)
-        return m_steps->scene;
-    if (m_bench.movement() == 0.0 || m_bench.tried())
-        return m_scene;
-    const auto movement = movementNow(m_bench.session().scheduler());
-    return movement ? m_moved.at(m_scene, m_bench.shownModel(), *movement,
-                                 m_bench.movement() * movement->mostTimes())
-                    : m_scene;
 }
 
 void Viewport::paintMarks()
@@ -212,13 +187,16 @@ void Viewport::paintMarks()
     scene.unit = settings().unit();
     const bool isDrawing =
         overlay.find<sign::Slit>() || overlay.find<sign::Stroke>() || hasPath(overlay);
-    if (!isDrawing)
+    // Nothing stays behind where the model was: it goes until the model is back.
+    scene.timesMoved = m_steps ? 0.0 : m_strained.timesMoved();
+    const bool isMoved = scene.timesMoved > 0.0;
+    if (!isDrawing && !isMoved)
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
-    scene.litMark = litMark();
+    scene.litMark = litMark(m_bench);
     m_offer = {};
     scene.offer = &m_offer;
-    if (!isDrawing && !m_steps) {
+    if (!isDrawing && !m_steps && !isMoved) {
         scene.ghosts = m_bench.ghosts();
         scene.problems = m_bench.problemLook();
     }
@@ -228,17 +206,20 @@ void Viewport::paintMarks()
     const auto hovered = static_cast<std::size_t>(std::max(over.section, 0));
     if (over.section >= 0 && hovered < model.sectionCount())
         scene.hoveredName = QString::fromStdString(model.section(hovered)->name);
-    scene.selected = selectedSigns();
+    if (!isMoved)
+        scene.selected = selectedSigns(m_bench);
     if (const auto *points = scene.selected.find<sign::Points>())
         scene.edited = editedSection(model, points->section);
     if (const Operation *operation = model.document.find(interaction.selectedOperation()))
         scene.operation = operationKind(operation->kind);
-    if (!m_steps) {
+    if (!m_steps && !isMoved) {
         scene.dimensions = dimensionSigns(model, over.dimension);
         for (const Sign &sign : loadSigns(model, scene.view, over.load, interaction.selectedLoad()))
             scene.dimensions.add(sign);
-        scene.stress = m_stress.marks();
-        scene.bearing = m_bearing.marks();
+    }
+    if (!m_steps) {
+        scene.stress = m_strained.stress();
+        scene.bearing = m_strained.bearing();
     }
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
@@ -307,8 +288,7 @@ bool Viewport::isOnOffer(const QPointF &place) const
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
     showFocus(false);
-    m_stress.press(event->position());
-    m_bearing.leave();
+    m_strained.press(event->position());
     m_isOfferPressed = event->button() == Qt::LeftButton && isOnOffer(event->position());
     if (m_isOfferPressed)
         m_bench.run(QStringLiteral("section.takeOffer"));
@@ -323,8 +303,7 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
     if (std::exchange(m_isOnOffer, isOnOffer(event->position())) != m_isOnOffer)
         refresh(); // the cursor says that it can be clicked
     m_input.move(event);
-    m_stress.hover(event->position(), Vec2(width(), height()));
-    m_bearing.hover(event->position(), Vec2(width(), height()));
+    m_strained.hover(event->position(), Vec2(width(), height()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
@@ -333,7 +312,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent *event)
         return;
     m_input.release(event);
     if (event->button() == Qt::LeftButton)
-        m_stress.release(event->position());
+        m_strained.release(event->position());
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
@@ -358,8 +337,8 @@ void Viewport::tabletEvent(QTabletEvent *event)
 
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
-    if (event->key() == Qt::Key_Escape && m_stress.isKept())
-        m_stress.close();
+    if (event->key() == Qt::Key_Escape && m_strained.isKept())
+        m_strained.close();
     else if (!m_input.keyPress(event))
         QOpenGLWidget::keyPressEvent(event);
 }
@@ -382,7 +361,7 @@ bool Viewport::event(QEvent *event)
 {
     const auto isBeforeShortcuts = [this](const QKeyEvent *key) {
         return m_input.isBeforeShortcuts(key) ||
-               (key->key() == Qt::Key_Escape && m_stress.isKept());
+               (key->key() == Qt::Key_Escape && m_strained.isKept());
     };
     if (event->type() == QEvent::ShortcutOverride &&
         isBeforeShortcuts(static_cast<QKeyEvent *>(event))) {
@@ -402,8 +381,7 @@ bool Viewport::event(QEvent *event)
     }
     if (event->type() == QEvent::Leave) {
         m_input.leave();
-        m_stress.leave();
-        m_bearing.leave();
+        m_strained.leave();
     } else if (event->type() == QEvent::WindowBlocked)
         m_input.letGo();
     else if (event->type() == QEvent::FocusIn)
@@ -425,68 +403,6 @@ void Viewport::advance()
         m_frames.stop();
 }
 
-/// Under the cursor, or with the cursor on its row.
-int Viewport::litMark() const
-{
-    const int hovered = m_bench.interaction().hovered().problem;
-    return hovered > 0 ? hovered : m_bench.litProblem();
-}
-
-/// Of those that are to be outlined, the ones that are in the model: others change nothing that is
-/// seen.
-std::vector<SectionRef> Viewport::presentlyOutlined() const
-{
-    std::vector<SectionRef> present;
-    const Model &model = m_bench.session().model();
-    const std::vector<SectionRef> &wanted = m_bench.outlined();
-    for (std::size_t i = 0; !wanted.empty() && i < model.sectionCount(); ++i) {
-        const SectionRef ref = model.ref(i);
-        if (std::binary_search(wanted.begin(), wanted.end(), ref))
-            present.push_back(ref);
-    }
-    return present;
-}
-
-/// Of what is selected; handles of an operation whose numbers are dragged elsewhere where they are
-/// then.
-Signs Viewport::selectedSigns() const
-{
-    const Interaction &interaction = m_bench.interaction();
-    Signs signs = interaction.overlay().selected;
-    const auto *shown = signs.find<OperationMarks>();
-    if (!shown || interaction.hasGesture() || !m_bench.session().hasPreview())
-        return signs;
-    OperationMarks marks =
-        operationMarks(m_bench.session().model(), interaction.selectedOperation());
-    marks.hovered = shown->hovered;
-    signs.put(std::move(marks));
-    return signs;
-}
-
-Viewport::Seen Viewport::seen() const
-{
-    const Interaction &interaction = m_bench.interaction();
-    const Overlay &overlay = interaction.overlay();
-    Hovered hovered = interaction.hovered();
-    hovered.slitStart.reset(); // nothing is seen of that
-    return {interaction.camera(),
-            interaction.view(),
-            interaction.selection(),
-            presentlyOutlined(),
-            m_bench.ghosts(),
-            hovered,
-            selectedSigns(),
-            overlay.held,
-            overlay.offered,
-            !overlay.drawn.isEmpty(),
-            interaction.operationInFocus(),
-            interaction.hasGesture(),
-            overlay.find<sign::Stroke>() || hasPath(overlay),
-            interaction.marks(),
-            litMark(),
-            m_bench.problemLook()};
-}
-
 /// Something that is seen may have changed: paints only if it has.
 void Viewport::refresh()
 {
@@ -503,7 +419,7 @@ void Viewport::refresh()
     if (cursor() != shape)
         setCursor(shape);
 
-    Seen now = seen();
+    Seen now = seenOn(m_bench);
     if (now == m_seen && !now.isDrawn)
         return;
     if (!now.isSamePicture(m_seen))

@@ -2,14 +2,11 @@
 // The clock is that of the events.
 #pragma once
 
-#include "core/analysis/problem_look.h"
-#include "core/interaction/interaction.h"
-#include "ui/bench/bearing_picture.h"
-#include "ui/bench/stress_picture.h"
+#include "ui/bench/seen.h"
+#include "ui/bench/strained_view.h"
 #include "ui/bench/touch_input.h"
 #include "ui/bench/view_input.h"
 #include "ui/view/frame_pace.h"
-#include "ui/view/moved_scene.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
 
@@ -67,38 +64,13 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    /// All that is seen but for the model and what a gesture shows.
-    struct Seen
-    {
-        Camera camera;
-        ViewState view;
-        std::vector<SectionRef> selection, outlined;
-        std::vector<SectionPointer> ghosts;
-        Hovered hovered;
-        Signs selected, held, offered;
-        bool isDrawn = false;  // a gesture shows something: that is not compared
-        OperationId operation; // in focus
-        bool hasGesture = false, isGhosted = false;
-        std::vector<ProblemMark> marks;
-        int litMark = 0;
-        ProblemLook problems;
-
-        bool isSamePicture(const Seen &other) const;
-        bool operator==(const Seen &other) const = default;
-    };
-
     void showFocus(bool shows);
     void advance();
     void refresh();
     void rebuildScene();
-    Seen seen() const;
-    Signs selectedSigns() const;
-    std::vector<SectionRef> presentlyOutlined() const;
-    int litMark() const;
     void watchAnalysis();
     bool isOnOffer(const QPointF &place) const;
     void paintMarks();
-    const Scene &shownScene();
     void paintStepsFrame(QPainter &painter) const;
 
     /// ms; by it frames are timed, and drawn the simpler the longer they take.
@@ -111,9 +83,7 @@ private:
     SceneBuilder m_builder, m_triedBuilder; // of the session's analysis, and of what is tried
     Scene m_scene;
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
-    StressPicture m_stress;
-    MovedScene m_moved;
-    BearingPicture m_bearing;
+    StrainedView m_strained;
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;

@@ -1,5 +1,6 @@
 #include "ui/docks/movement_rows.h"
 
+#include "core/session/scheduler.h"
 #include "ui/base/icon.h"
 #include "ui/base/lengths.h"
 #include "ui/bench/held.h"
@@ -41,6 +42,12 @@ MovementRows::MovementRows(Workbench &bench, PropertyGroup *group) : QObject(gro
     m_words->setWordWrap(true);
     m_words->setForegroundRole(QPalette::PlaceholderText);
     group->add(m_words);
+    // Where a section is strong is shown on the model where it stands.
+    const Scheduler &scheduler = bench.session().scheduler();
+    connect(&scheduler, &Scheduler::asked, this, [this, &scheduler] {
+        if (scheduler.questions().bearing)
+            stop();
+    });
     m_frames.setInterval(kMovementFrame);
     connect(&m_frames, &QTimer::timeout, this, &MovementRows::advance);
     connect(m_slider, &QSlider::sliderPressed, this, [this] { play(false); });

@@ -40,13 +40,17 @@ public:
     void problems() { paintProblems(m_pen, m_scene.problems, m_scene.unit, m_locale); }
     void stress()
     {
-        if (m_scene.bearing)
-            paintBearing(m_pen, *m_scene.bearing, m_scene.view, m_locale);
+        if (m_scene.timesMoved > 0.0)
+            paintMovedKey(m_pen, m_scene.stress, m_scene.timesMoved, m_locale);
+        else if (m_scene.bearing)
+            paintBearing(m_pen, *m_scene.bearing, m_locale);
         else if (m_scene.stress)
             paintStress(m_pen, *m_scene.stress, m_scene.view, m_locale);
     }
     void askedLine()
     {
+        if (m_scene.timesMoved > 0.0)
+            return;
         if (m_scene.bearing)
             paintAskedBearing(m_pen, *m_scene.bearing);
         else if (m_scene.stress)

@@ -45,7 +45,9 @@ struct OverlayScene
     Signs dimensions = {};                    // of the model
     const StressMarks *stress = nullptr;      // null: not shown
     const BearingMarks *bearing = nullptr;    // shown in place of those; null: not
-    QRectF *offer = nullptr;                  // is told where the words of an offer are, px
+    double timesMoved =
+        0.0; // the model is shown where it moves, so many times as far; 0: it is not
+    QRectF *offer = nullptr; // is told where the words of an offer are, px
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

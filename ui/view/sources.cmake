@@ -15,6 +15,7 @@ target_sources(fff_view PRIVATE
     view/joint_marks.cpp
     view/layers.cpp
     view/occlusion.cpp
+    view/legend.cpp
     view/length_unit.cpp
     view/mark_buffers.cpp
     view/measure_marks.cpp

@@ -1,7 +1,7 @@
 #include "ui/view/stress_marks.h"
 
 #include "core/interaction/pick.h"
-#include "core/interaction/view_cube.h"
+#include "ui/view/legend.h"
 #include "ui/view/stress_card.h"
 
 #include <QCoreApplication>
@@ -18,12 +18,11 @@ struct StressTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::StressMarks)
 };
 
-constexpr double kThinnest = 1.5, kThickest = 4.0;        // px
-constexpr double kReach = 6.0;                            // px from a line: it is meant
-constexpr double kRing = 24.0;                            // px across
-constexpr double kLegendMargin = 8.0, kLegendTop = 116.0; // px: under the cube
-constexpr double kReadable = 9.0, kFading = 3.0;       // px: so wide a band of colours can be read
-constexpr double kBarWidth = 12.0, kBarHeight = 160.0; // px
+constexpr double kThinnest = 1.5, kThickest = 4.0; // px
+constexpr double kReach = 6.0;                     // px from a line: it is meant
+constexpr double kRing = 24.0;                     // px across
+constexpr double kChipGap = 8.0;                   // px between legend and chip
+constexpr double kReadable = 9.0, kFading = 3.0;   // px: so wide a band of colours can be read
 
 double widthOf(double use)
 {
@@ -107,56 +106,27 @@ double shareOfLine(const StressLine &line, const StressMarks &marks, const MarkP
     return std::clamp((kReadable - band) / kFading, 0.0, 1.0);
 }
 
-/// Where the bar stands: under the cube.
-void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
+double paintStressLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
 {
-    QPainter &painter = pen.painter();
-    const ViewStyle &style = pen.style();
     const double limit = marks.lines.empty() ? marks.limit : marks.lines.back().limit;
-    QFont font = painter.font();
-    font.setPixelSize(12);
-    painter.setFont(font);
-    const double right = pen.viewport().x() - kLegendMargin, top = kLegendTop;
-    const QRectF ground(right - 108.0, top, 108.0, kBarHeight + 62.0);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(faded(style.panel, 0.72));
-    painter.drawRoundedRect(ground, 3.0, 3.0);
-    const QRectF bar(ground.left() + 12.0, ground.top() + 44.0, kBarWidth, kBarHeight);
-    const auto heightOf = [&](double use) {
-        return bar.bottom() - bar.height() * (use - marks.least) / (1.0 - marks.least);
-    };
-    painter.setPen(style.text);
-    QFont bold = font;
-    bold.setWeight(QFont::DemiBold);
-    painter.setFont(bold);
-    painter.drawText(QRectF(ground.left() + 12.0, ground.top() + 4.0, 90.0, 18.0),
-                     Qt::AlignLeft | Qt::AlignVCenter, StressTexts::tr("Stress"));
-    painter.setFont(font);
-    QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
-    constexpr int kStops = 16;
-    for (int i = 0; i <= kStops; ++i) {
-        const double share = static_cast<double>(i) / kStops;
-        ramp.setColorAt(
-            share, stressColour(marks.least + share * (1.0 - marks.least), style.isForColourBlind));
-    }
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ramp);
-    painter.drawRect(bar);
-    const auto write = [&](double x, double y, const QString &text, const QColor &colour) {
-        painter.setPen(colour);
-        painter.drawText(QRectF(x - 36.0, y - 9.0, 36.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
-                         text);
-    };
-    const double percents = bar.right() + 34.0, stresses = bar.right() + 76.0;
-    write(percents, ground.top() + 32.0, QStringLiteral("%"), style.muted);
-    write(stresses, ground.top() + 32.0, QStringLiteral("MPa"), style.muted);
-    for (const double use : {0.2, 0.4, 0.6, 0.8, 1.0}) {
-        if (use < marks.least)
-            continue;
-        write(percents, heightOf(use), locale.toString(100.0 * use, 'f', 0), style.text);
-        if (limit > 0.0)
-            write(stresses, heightOf(use), locale.toString(limit * use, 'g', 3), style.muted);
-    }
+    Legend legend{StressTexts::tr("Stress"), {QStringLiteral("%"), QStringLiteral("MPa")}};
+    legend.bottom = marks.least;
+    for (const double use : {0.2, 0.4, 0.6, 0.8, 1.0})
+        if (use >= marks.least)
+            legend.ticks.push_back(
+                {(use - marks.least) / (1.0 - marks.least),
+                 {locale.toString(100.0 * use, 'f', 0),
+                  limit > 0.0 ? locale.toString(limit * use, 'g', 3) : QString()}});
+    return paintLegend(pen, legend);
+}
+
+/// So far below what stands under the cube, px; says where its own lower end is.
+double chipUnderCube(MarkPen &pen, double below, const QString &text)
+{
+    constexpr double kHalfChip = 11.0; // px
+    const QPointF at = underCube(pen.viewport()) + QPointF(0.0, below + kHalfChip);
+    pen.chip(at, MarkPen::Anchor::Right, text, pen.style().muted);
+    return at.y() + kHalfChip;
 }
 
 } // namespace
@@ -241,11 +211,25 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  stressColour(worst.use, pen.style().isForColourBlind));
     }
     paintForces(pen, marks.forces, marks.isOlder, locale);
-    if (worstShown(marks) == 0.0)
-        pen.chip({pen.viewport().x() - kLegendMargin, kLegendTop + 11.0}, MarkPen::Anchor::Right,
-                 withoutLines(marks, locale), pen.style().muted);
-    else
-        paintLegend(pen, marks, locale);
+    paintStressKey(pen, marks, locale);
+}
+
+double paintStressKey(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
+{
+    if (worstShown(marks) > 0.0)
+        return paintStressLegend(pen, marks, locale);
+    return chipUnderCube(pen, 0.0, withoutLines(marks, locale));
+}
+
+void paintMovedKey(MarkPen &pen, const StressMarks *marks, double times, const QLocale &locale)
+{
+    double below = 0.0;
+    if (marks)
+        below = paintStressKey(pen, *marks, locale) - underCube(pen.viewport()).y() + kChipGap;
+    chipUnderCube(pen, below,
+                  //: %1 is a number of times
+                  StressTexts::tr("Movement %1\u202f×")
+                      .arg(locale.toString(times, 'g', times < 10.0 ? 2 : 3)));
 }
 
 void paintAskedLine(MarkPen &pen, const StressMarks &marks, const QLocale &locale)

@@ -52,6 +52,12 @@ int lineAt(const QPointF &point, const StressMarks &marks, const Camera &camera,
 void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  const QLocale &locale);
 
+/// What its colours mean, or why there are none, under the view cube; says where that ends, px.
+double paintStressKey(MarkPen &pen, const StressMarks &marks, const QLocale &locale);
+/// The same while the model is shown where it moves, and how many times as far: lines and forces
+/// would lie beside their places. null: no stress is shown.
+void paintMovedKey(MarkPen &pen, const StressMarks *marks, double times, const QLocale &locale);
+
 /// The ring round the line that is asked about, and its card, over all else.
 void paintAskedLine(MarkPen &pen, const StressMarks &marks, const QLocale &locale);
 
