@@ -6316,6 +6316,10 @@
         <source>Bears</source>
         <translation>Trägt</translation>
     </message>
+    <message>
+        <source>Without bending</source>
+        <translation>Ohne Biegung</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::BearingPicture</name>
@@ -6333,7 +6337,7 @@
     </message>
     <message>
         <source>working… %1&#x202f;%</source>
-        <translation>läuft… %1 %</translation>
+        <translation>läuft… %1&#x202f;%</translation>
     </message>
     <message>
         <source>working…</source>
@@ -9947,6 +9951,11 @@
     <message>
         <source>Strength unknown</source>
         <translation>Festigkeit unbekannt</translation>
+    </message>
+    <message>
+        <source>Movement %1&#x202f;×</source>
+        <extracomment>%1 is a number of times</extracomment>
+        <translation>Bewegung %1 ×</translation>
     </message>
 </context>
 <context>
