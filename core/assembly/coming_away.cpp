@@ -157,31 +157,24 @@ public:
     }
 
 private:
-    Locking locking() const { return {m_scene.contacts(), m_scene.pivots()}; }
-    double along() const { return m_scene.way().dot(m_wanted) / m_wanted.norm(); }
-
-    /// By a step, or a shorter one where that bends too much.
+    /// As far of a step as contacts let it go, or of a shorter one where that bends too much.
     bool goesOn()
     {
         const Scene before = m_scene;
-        const double from = along();
         for (int halved = 0; halved <= kMostHalvings; ++halved) {
-            const double share = std::ldexp(1.0, -halved);
-            if (step(share * m_wanted))
-                return along() - from > share * kLeastProgress * kWayStep;
+            const Motion wanted = std::ldexp(1.0, -halved) * m_wanted;
+            const std::optional<Motion> by =
+                Locking(m_scene.contacts(), m_scene.pivots()).nearestMotion(wanted);
+            if (!by || by->dot(wanted) < kLeastProgress * wanted.squaredNorm())
+                return false;
+            if (by->cwiseAbs().maxCoeff() > kLongestStep)
+                continue;
+            m_scene.move(*by);
+            if (!m_scene.isTooDeep())
+                return true;
             m_scene = before;
         }
         return false;
-    }
-
-    /// As far of a motion as contacts let it go, and no deeper into anything than may be.
-    bool step(const Motion &wanted)
-    {
-        const std::optional<Motion> by = locking().nearestMotion(wanted);
-        if (!by || by->cwiseAbs().maxCoeff() > kLongestStep)
-            return false;
-        m_scene.move(*by);
-        return !m_scene.isTooDeep();
     }
 
     Scene m_scene;
