@@ -6,10 +6,9 @@ namespace fff {
 
 CubicBezier CuttingLine::segment(int index) const
 {
-    const std::size_t first = 3 * static_cast<std::size_t>(index);
-    const auto at = [&](std::size_t i) { return m_placement->apply(m_points[i]); };
-    const std::size_t last = first + 3;
-    return {at(first), at(first + 1), at(first + 2), at(last < m_points.size() ? last : 0)};
+    const CubicBezier own = segmentOf(index);
+    return {m_placement->apply(own.p0), m_placement->apply(own.p1), m_placement->apply(own.p2),
+            m_placement->apply(own.p3)};
 }
 
 std::size_t CuttingPart::pointCount() const

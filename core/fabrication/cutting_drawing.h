@@ -2,6 +2,7 @@
 // along them. Every format of cutting files is written from this alone.
 #pragma once
 
+#include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
 
@@ -40,8 +41,25 @@ public:
     int segmentCount() const { return static_cast<int>(m_points.size() / 3); }
     Vec2 start() const { return m_placement->apply(m_points.front()); }
     CubicBezier segment(int index) const;
+    /// To kClipGrid, as the part's own points tell: mostly the segment's end is all that is asked
+    /// for then.
+    bool isStraight(int index) const { return segmentOf(index).isStraight(kClipGrid); }
+    Vec2 end(int index) const { return m_placement->apply(pointAt(3 * index + 3)); }
 
 private:
+    /// Behind the last one comes the first.
+    const Vec2 &pointAt(int index) const
+    {
+        const auto i = static_cast<std::size_t>(index);
+        return m_points[i < m_points.size() ? i : 0];
+    }
+    /// The part's.
+    CubicBezier segmentOf(int index) const
+    {
+        const int first = 3 * index;
+        return {pointAt(first), pointAt(first + 1), pointAt(first + 2), pointAt(first + 3)};
+    }
+
     std::span<const Vec2> m_points;
     const Placement *m_placement;
     LineRole m_role;

@@ -1,6 +1,5 @@
 #include "core/io/svg_writer.h"
 
-#include "core/base/tolerances.h"
 #include "core/io/drawing_text.h"
 
 #include <QString>
@@ -76,11 +75,10 @@ void addCut(const CuttingLine &line, const Transform &transform, DrawingText &ou
     out.addPoint<Decimals::Six>("M ", transform(line.start()));
     const int count = line.segmentCount();
     for (int i = 0; i < count; ++i) {
-        const CubicBezier curve = line.segment(i);
-        if (!curve.isStraight(kClipGrid))
-            addCurve(curve, transform, out);
+        if (!line.isStraight(i))
+            addCurve(line.segment(i), transform, out);
         else if (i + 1 < count)
-            out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
+            out.addPoint<Decimals::Six>(" L ", transform(line.end(i)));
     }
     out << " Z";
 }
@@ -89,11 +87,10 @@ void addDrawn(const CuttingLine &line, const Transform &transform, DrawingText &
 {
     out.addPoint<Decimals::Six>("M ", transform(line.start()));
     for (int i = 0; i < line.segmentCount(); ++i) {
-        const CubicBezier curve = line.segment(i);
-        if (curve.isStraight(kClipGrid))
-            out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
+        if (line.isStraight(i))
+            out.addPoint<Decimals::Six>(" L ", transform(line.end(i)));
         else
-            addCurve(curve, transform, out);
+            addCurve(line.segment(i), transform, out);
     }
     if (line.isClosed())
         out << " Z";

