@@ -30,7 +30,7 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
     }
     analysis.bodies = bodiesOf(model, analysis.cuts, last.bodies, places);
     analysis.grips = Grips::find(model, analysis.assembly, analysis.cuts,
-                                 {last.assembly, last.cuts, last.grips}, places);
+                                 {last.model, last.assembly, last.cuts, last.grips}, places);
     caches.cuts.trim(analysis.cuts.size());
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;

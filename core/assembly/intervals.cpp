@@ -102,12 +102,10 @@ void addCrossings(const PlaneLine &line, const Polygon &ring, int ringIndex,
     }
 }
 
-std::vector<Interval> paired(std::vector<AxisEnd> crossings)
+void pairUp(std::vector<AxisEnd> &crossings, std::vector<Interval> &intervals)
 {
     std::sort(crossings.begin(), crossings.end(),
               [](const AxisEnd &a, const AxisEnd &b) { return a.at < b.at; });
-    std::vector<Interval> intervals;
-    intervals.reserve(crossings.size() / 2);
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
         // A gap below the grid of the booleans is none: a corner that just touches the line.
         if (!intervals.empty() && crossings[i].at - intervals.back().to.at <= kClipGrid)
@@ -116,6 +114,13 @@ std::vector<Interval> paired(std::vector<AxisEnd> crossings)
             intervals.push_back({crossings[i], crossings[i + 1]});
     }
     std::erase_if(intervals, [](const Interval &i) { return i.length() <= kClipGrid; });
+}
+
+std::vector<Interval> paired(std::vector<AxisEnd> crossings)
+{
+    std::vector<Interval> intervals;
+    intervals.reserve(crossings.size() / 2);
+    pairUp(crossings, intervals);
     return intervals;
 }
 
@@ -287,6 +292,23 @@ std::vector<Interval> intervalsOn(const PlaneLine &line, const Shape &shape)
         for (AxisEnd *end : {&interval.from, &interval.to})
             *end = rings.inShape(*end);
     return intervals;
+}
+
+std::optional<std::span<const Interval>>
+intervalsOn(const PlaneLine &line, std::span<const LineEdge> edges, IntervalMemory &memory)
+{
+    memory.crossings.clear();
+    memory.intervals.clear();
+    const LineSide side(line);
+    for (const LineEdge &edge : edges) {
+        const int from = side(edge.from), to = side(edge.to);
+        if (from == 0 || to == 0)
+            return {};
+        if (from != to)
+            memory.crossings.push_back({crossingAlong(line, edge.from, edge.to)});
+    }
+    pairUp(memory.crossings, memory.intervals);
+    return memory.intervals;
 }
 
 double mouthReach(const PlaneLine &line, const Region &region, const AxisEnd &end, double halfWidth,

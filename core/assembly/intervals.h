@@ -5,6 +5,8 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace fff {
 
@@ -35,6 +37,23 @@ PlaneLine lineInFrame(const Axis &axis, const Frame &frame);
 std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region);
 /// The same of a shape's region, in the time of the edges near the line.
 std::vector<Interval> intervalsOn(const PlaneLine &line, const Shape &shape);
+
+/// An edge of a ring.
+struct LineEdge
+{
+    Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+};
+/// What finding intervals takes besides, kept from one line to the next.
+struct IntervalMemory
+{
+    std::vector<AxisEnd> crossings;
+    std::vector<Interval> intervals;
+};
+/// The same of a region of which no other edges come near the line, without the numbers of rings
+/// and edges. Nothing where an end of one of them lies on the line. Lasts until the memory is used
+/// again.
+std::optional<std::span<const Interval>>
+intervalsOn(const PlaneLine &line, std::span<const LineEdge> edges, IntervalMemory &memory);
 
 /// How far along the line, towards `sign` (±1), the boundary reaches that closes the strip |across|
 /// ≤ halfWidth at `end`: the largest sign·along on the boundary from `end` to where it leaves the

@@ -8,7 +8,6 @@ namespace fff {
 
 namespace {
 
-/// To look at as many vertices is as fast as to choose among them.
 constexpr std::size_t kFewVertices = 128;
 
 /// More than rounding says of where a vertex is beside a line, mm.

@@ -33,8 +33,10 @@ public:
     /// strip are the shape's.
     AxisEnd inShape(const AxisEnd &end) const;
 
-private:
+    /// Of so few vertices that to look at all is as fast as to choose among them.
     static bool isShort(const Region &region);
+
+private:
     void thinOut(const PlaneLine &line, const RegionTree &boundaries, double halfWidth);
 
     struct Ring

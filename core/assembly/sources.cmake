@@ -15,6 +15,7 @@ target_sources(fff_core PRIVATE
     assembly/intervals.cpp
     assembly/joint.cpp
     assembly/joint_editing.cpp
+    assembly/joint_grips.cpp
     assembly/joint_measures.cpp
     assembly/joint_state.cpp
     assembly/joint_wish.cpp

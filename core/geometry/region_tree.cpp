@@ -39,24 +39,14 @@ Side PolygonTree::locate(const Vec2 &point) const
     return isInside ? Side::Inside : Side::Outside;
 }
 
-namespace {
-
-bool liesBeside(const Box2 &box, const Vec2 &point, const Vec2 &normal, double reach)
-{
-    const double across = std::abs(normal.dot(0.5 * (box.min + box.max) - point));
-    return across > reach + normal.cwiseAbs().dot(0.5 * (box.max - box.min));
-}
-
-} // namespace
-
 bool PolygonTree::isBeside(const Vec2 &point, const Vec2 &direction, double reach) const
 {
-    return liesBeside(m_edges.bounds(), point, perpendicular(direction), reach);
+    return LineStrip(point, direction, reach).sideOf(m_edges.bounds()) != 0;
 }
 
 ThinnedRing PolygonTree::thinned(const Vec2 &point, const Vec2 &direction, double reach) const
 {
-    constexpr std::size_t kMostly = 64;
+    constexpr std::size_t kMostly = 32;
     ThinnedRing ring;
     ring.points.reserve(kMostly);
     ring.indices.reserve(kMostly);
@@ -64,17 +54,32 @@ ThinnedRing PolygonTree::thinned(const Vec2 &point, const Vec2 &direction, doubl
         ring.points.push_back((*m_polygon)[index]);
         ring.indices.push_back(static_cast<int>(index));
     };
-    const Vec2 normal = perpendicular(direction);
+    const LineStrip strip(point, direction, reach);
+    int run = 0;          // the side of the last run; 0 behind an edge that comes near
+    bool hasLast = false; // of that run two vertices are there
     const auto isNear = [&](const Box2 &box, std::size_t first, std::size_t end) {
-        if (!liesBeside(box, point, normal, reach))
+        const int side = strip.sideOf(box);
+        if (side == 0)
             return true;
-        add(first);
-        if (end - first > 1)
-            add(end - 1);
+        if (side != run) {
+            add(first);
+            hasLast = false;
+            ++first;
+        }
+        run = side;
+        if (first == end)
+            return false;
+        if (hasLast) {
+            ring.points.pop_back();
+            ring.indices.pop_back();
+        }
+        add(end - 1);
+        hasLast = true;
         return false;
     };
     m_edges.walk(isNear, [&](std::size_t edge) {
         add(edge);
+        run = 0;
         return false;
     });
     return ring;

@@ -5,6 +5,8 @@
 #include "core/geometry/box_runs.h"
 #include "core/geometry/polygon.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace fff {
@@ -16,6 +18,35 @@ struct ThinnedRing
 {
     Polygon points;
     std::vector<int> indices; // of the points in the ring, ascending
+};
+
+/// What lies no more than `reach` mm beside a line that goes through a point along a unit vector.
+class LineStrip
+{
+public:
+    LineStrip(const Vec2 &point, const Vec2 &direction, double reach)
+        : m_normal(perpendicular(direction)), m_size(0.5 * m_normal.cwiseAbs()),
+          m_middle(m_normal.dot(point)), m_reach(reach)
+    {
+    }
+
+    /// On which side of it (±1) all of a box, or of an edge, is; 0: it may come into the strip.
+    int sideOf(const Box2 &box) const
+    {
+        const double across = 0.5 * m_normal.dot(box.min + box.max) - m_middle;
+        if (!(std::abs(across) > m_reach + m_size.dot(box.max - box.min)))
+            return 0;
+        return across > 0.0 ? 1 : -1;
+    }
+    int sideOf(const Vec2 &a, const Vec2 &b) const
+    {
+        const double atA = m_normal.dot(a) - m_middle, atB = m_normal.dot(b) - m_middle;
+        return std::min(atA, atB) > m_reach ? 1 : std::max(atA, atB) < -m_reach ? -1 : 0;
+    }
+
+private:
+    Vec2 m_normal, m_size;
+    double m_middle, m_reach;
 };
 
 /// Copies nothing: the polygon outlives it and stays where it is.
@@ -41,6 +72,18 @@ public:
         m_edges.any([&](const Box2 &run) { return run.intersects(box); },
                     [&](std::size_t edge) {
                         visit(beginOf(edge), (*m_polygon)[edge]);
+                        return false;
+                    });
+    }
+
+    /// The same for the edges that come into the strip.
+    template <class Visit>
+    void visitIn(const LineStrip &strip, Visit visit) const
+    {
+        m_edges.any([&](const Box2 &run) { return strip.sideOf(run) == 0; },
+                    [&](std::size_t edge) {
+                        if (strip.sideOf(beginOf(edge), (*m_polygon)[edge]) == 0)
+                            visit(beginOf(edge), (*m_polygon)[edge]);
                         return false;
                     });
     }

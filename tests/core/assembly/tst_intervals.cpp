@@ -23,6 +23,7 @@ private Q_SLOTS:
     void horizontalLine();
     void agreesWithPointLocation();
     void shapesAnswerAsTheirRegions();
+    void edgesOfAStripAnswerAsTheirRegion();
     void fewCornersAreNearALine();
     void mouthReach_data();
     void mouthReach();
@@ -147,6 +148,44 @@ void TestIntervals::shapesAnswerAsTheirRegions()
         }
     }
     QVERIFY(found > 300);
+}
+
+// Wrong: a slit would hold another depth for what lies beside its walls.
+void TestIntervals::edgesOfAStripAnswerAsTheirRegion()
+{
+    std::mt19937_64 random(412);
+    std::uniform_real_distribution<double> place(-1.0, 1.0);
+    constexpr double kHalf = 4.0;
+    int found = 0, throughCorners = 0;
+    IntervalMemory memory;
+    for (const ShapePointer &shape :
+         {spineOf(300), jaggedDisc(random, 500), jaggedDisc(random, 2000)}) {
+        for (const PlaneLine &axis : linesAcross(random, *shape)) {
+            std::vector<LineEdge> edges;
+            for (const PolygonTree &ring : shape->boundaries().rings())
+                ring.visitIn(LineStrip(axis.point, axis.direction, kHalf + 0.01),
+                             [&](const Vec2 &a, const Vec2 &b) {
+                                 edges.push_back({a, b});
+                             });
+            for (const double beside : {0.0, kHalf, -kHalf, kHalf * place(random)}) {
+                const PlaneLine line{axis.point + beside * perpendicular(axis.direction),
+                                     axis.direction};
+                const auto all = intervalsOn(line, shape->region());
+                const auto ours = intervalsOn(line, edges, memory);
+                if (!ours) {
+                    ++throughCorners;
+                    continue;
+                }
+                QCOMPARE(ours->size(), all.size());
+                for (std::size_t i = 0; i < all.size(); ++i) {
+                    QVERIFY((*ours)[i].from.at == all[i].from.at);
+                    QVERIFY((*ours)[i].to.at == all[i].to.at);
+                    ++found;
+                }
+            }
+        }
+    }
+    QVERIFY(found > 1000 && throughCorners > 10);
 }
 
 // Wrong: slits would cost the square of what a spine is long.

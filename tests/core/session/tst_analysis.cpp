@@ -267,6 +267,10 @@ void TestAnalysis::aMovedPointLeavesWhatIsFarAlone()
         crossings +=
             before->assembly.joints[i].crossing != after->assembly.joints[i].crossing ? 1 : 0;
     QVERIFY2(crossings <= 25, qPrintable(QString::number(crossings)));
+    int grips = 0; // that were looked at again: those of these ribs, and beside them
+    for (const Joint &joint : after->assembly.joints)
+        grips += &before->grips.of(joint) != &after->grips.of(joint) ? 1 : 0;
+    QVERIFY2(grips > 0 && grips <= 30, qPrintable(QString::number(grips)));
 }
 
 // Wrong: ribs whose slits differ by a thousandth of a hair would each be cut by themselves.
