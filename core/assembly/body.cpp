@@ -186,19 +186,6 @@ MassProperties Bodies::mass() const
     return sum;
 }
 
-void Bodies::add(RunPointer run)
-{
-    const BodyPointer *next = run->bodies.data();
-    for (const int count : run->counts) {
-        m_sections.insert(m_sections.end(), static_cast<std::size_t>(count),
-                          static_cast<int>(sectionCount()));
-        for (int i = 0; i < count; ++i)
-            m_all.push_back(next++);
-        m_first.push_back(static_cast<int>(m_all.size()));
-    }
-    m_runs.push_back(std::move(run));
-}
-
 /// Makes the list of one model from that of another one.
 class BodyLister
 {
@@ -215,17 +202,57 @@ public:
         Bodies bodies;
         bodies.m_stocks = m_model.document.stocks;
         const std::size_t count = m_cuts.size();
-        bodies.m_all.reserve(count); // mostly each is one piece
-        bodies.m_sections.reserve(count);
-        bodies.m_first.reserve(count + 1);
+        bodies.m_runs.reserve((count + kInRun - 1) / kInRun);
         for (std::size_t first = 0; first < count; first += kInRun)
-            bodies.add(runFrom(first, std::min(first + kInRun, count)));
+            bodies.m_runs.push_back(runFrom(first, std::min(first + kInRun, count)));
+        if (isDividedAsBefore(bodies))
+            placeAsBefore(bodies);
+        else
+            place(bodies);
         return bodies;
     }
 
 private:
     using Run = Bodies::Run;
     static constexpr std::size_t kInRun = 8;
+
+    /// Each section in as many bodies as the one at its place.
+    bool isDividedAsBefore(const Bodies &bodies) const
+    {
+        return std::equal(bodies.m_runs.begin(), bodies.m_runs.end(), m_before.m_runs.begin(),
+                          m_before.m_runs.end(), [](const auto &now, const auto &before) {
+                              return now == before || now->counts == before->counts;
+                          });
+    }
+
+    void placeAsBefore(Bodies &bodies) const
+    {
+        bodies.m_all = m_before.m_all;
+        bodies.m_sections = m_before.m_sections;
+        bodies.m_first = m_before.m_first;
+        for (std::size_t i = 0; i < bodies.m_runs.size(); ++i)
+            if (const Run &run = *bodies.m_runs[i]; &run != m_before.m_runs[i].get()) {
+                auto at = bodies.m_all.begin() + bodies.m_first[i * kInRun];
+                for (const BodyPointer &body : run.bodies)
+                    *at++ = &body;
+            }
+    }
+
+    void place(Bodies &bodies) const
+    {
+        bodies.m_all.reserve(m_cuts.size()); // mostly each is one piece
+        bodies.m_sections.reserve(m_cuts.size());
+        bodies.m_first.reserve(m_cuts.size() + 1);
+        for (const Bodies::RunPointer &run : bodies.m_runs) {
+            for (const BodyPointer &body : run->bodies)
+                bodies.m_all.push_back(&body);
+            for (const int count : run->counts) {
+                bodies.m_sections.insert(bodies.m_sections.end(), static_cast<std::size_t>(count),
+                                         static_cast<int>(bodies.sectionCount()));
+                bodies.m_first.push_back(static_cast<int>(bodies.m_sections.size()));
+            }
+        }
+    }
 
     Bodies::RunPointer runFrom(std::size_t first, std::size_t last) const
     {

@@ -108,7 +108,6 @@ private:
 
     struct Run;
     using RunPointer = std::shared_ptr<const Run>;
-    void add(RunPointer run);
 
     std::vector<std::shared_ptr<const Stock>> m_stocks; // of the model
     std::vector<RunPointer> m_runs;
