@@ -203,23 +203,31 @@ std::vector<std::pair<int, int>> pairsToLookAt(const Difference &difference,
 std::vector<int> concernedSections(const Difference &difference, const Assembly &before,
                                    std::size_t count, const std::vector<FoundJoint> &found)
 {
-    std::vector<int> concerned = difference.changed();
-    for (const FoundJoint &item : found)
-        concerned.insert(concerned.end(), {item.joint.a, item.joint.b});
+    std::vector<char> isConcerned(count, char(false));
+    const auto add = [&](int section) {
+        if (static_cast<std::size_t>(section) < count)
+            isConcerned[static_cast<std::size_t>(section)] = true;
+    };
+    for (const int index : difference.changed())
+        add(index);
+    for (const FoundJoint &item : found) {
+        add(item.joint.a);
+        add(item.joint.b);
+    }
+    // Those behind it are in its row.
     const auto addMatesBefore = [&](std::size_t index) {
-        for (std::size_t mate = 0; mate < std::min(count, before.boxes.size()); ++mate) {
-            const int a = static_cast<int>(std::min(mate, index));
-            const int b = static_cast<int>(std::max(mate, index));
-            if (a != b && before.boxes[mate].intersects(before.boxes[index]) &&
-                before.joints.find(a, b))
-                concerned.push_back(static_cast<int>(mate));
-        }
+        for (const Joint &joint : before.joints.rows()[index])
+            add(joint.b);
+        for (std::size_t mate = 0; mate < std::min(count, index); ++mate)
+            if (before.boxes[mate].intersects(before.boxes[index]) &&
+                before.joints.find(static_cast<int>(mate), static_cast<int>(index)))
+                add(static_cast<int>(mate));
     };
     if (difference.isLarge()) {
         for (const Joint &joint : before.joints) {
             for (const auto &[index, mate] : {std::pair(joint.a, joint.b), {joint.b, joint.a}}) {
-                if (difference.isChanged(index) && mate < static_cast<int>(count))
-                    concerned.push_back(mate);
+                if (difference.isChanged(index))
+                    add(mate);
             }
         }
     } else {
@@ -230,16 +238,20 @@ std::vector<int> concernedSections(const Difference &difference, const Assembly 
     }
     for (std::size_t gone = count; gone < before.boxes.size(); ++gone)
         addMatesBefore(gone);
-    std::sort(concerned.begin(), concerned.end());
-    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+    std::vector<int> concerned;
+    for (std::size_t i = 0; i < count; ++i)
+        if (isConcerned[i])
+            concerned.push_back(static_cast<int>(i));
     return concerned;
 }
 
 /// What stays of a row and what is new, both in the order of their mates; no mate is in both.
 template <class T>
-std::vector<T> renewed(const std::vector<T> &row, const std::vector<T> &added, int T::*mate,
+std::vector<T> renewed(const std::vector<T> &row, std::vector<T> added, int T::*mate,
                        const Difference &difference)
 {
+    if (row.empty())
+        return added;
     std::vector<T> result;
     result.reserve(row.size() + added.size());
     auto next = added.begin();
@@ -247,10 +259,10 @@ std::vector<T> renewed(const std::vector<T> &row, const std::vector<T> &added, i
         if (difference.isChanged(item.*mate))
             continue;
         for (; next != added.end() && (*next).*mate < item.*mate; ++next)
-            result.push_back(*next);
+            result.push_back(std::move(*next));
         result.push_back(item);
     }
-    result.insert(result.end(), next, added.end());
+    std::move(next, added.end(), std::back_inserter(result));
     return result;
 }
 
@@ -268,9 +280,10 @@ bool renewJoints(const Difference &difference, const std::vector<int> &concerned
         std::vector<Joint> added;
         for (; next != found.end() && next->joint.a == a; ++next)
             added.push_back(next->joint);
-        std::vector<Joint> row =
-            renewed(difference.isChanged(a) ? none : before, added, &Joint::b, difference);
-        if (!added.empty() || row.size() != before.size())
+        const bool hasAdded = !added.empty();
+        std::vector<Joint> row = renewed(difference.isChanged(a) ? none : before, std::move(added),
+                                         &Joint::b, difference);
+        if (hasAdded || row.size() != before.size())
             rows.push_back({index, std::move(row)});
     }
     return joints.replace(count, std::move(rows));
@@ -286,28 +299,41 @@ void renewSlits(const Difference &difference, const std::vector<int> &concerned,
     const auto idOf = [&joints](int host, int guest) {
         return joints.find(std::min(host, guest), std::max(host, guest))->id;
     };
-    std::vector<std::vector<Slit>> added(slits.size());
-    for (const FoundJoint &item : found) {
-        const int id = idOf(item.joint.a, item.joint.b);
+    std::vector<std::size_t> placeOf(slits.size(), 0); // of those concerned among them
+    for (std::size_t place = 0; place < concerned.size(); ++place)
+        placeOf[static_cast<std::size_t>(concerned[place])] = place;
+    std::vector<std::vector<Slit>> added(concerned.size());
+    std::size_t inRow = 0; // they come in the order of the rows
+    for (auto it = found.begin(); it != found.end(); ++it) {
+        const FoundJoint &item = *it;
+        const std::vector<Joint> &row = joints.rows()[static_cast<std::size_t>(item.joint.a)];
+        if (it == found.begin() || std::prev(it)->joint.a != item.joint.a)
+            inRow = 0;
+        while (row[inRow].b != item.joint.b)
+            ++inRow;
+        const int id = row[inRow].id;
         for (const auto &[index, list] :
              {std::pair(item.joint.a, &item.slitsOfA), std::pair(item.joint.b, &item.slitsOfB)}) {
-            for (Slit slit : *list) {
-                slit.joint = id;
-                added[static_cast<std::size_t>(index)].push_back(slit);
+            std::vector<Slit> &slitsOf = added[placeOf[static_cast<std::size_t>(index)]];
+            for (const Slit &slit : *list) {
+                slitsOf.push_back(slit);
+                slitsOf.back().joint = id;
             }
         }
     }
+    SharedRows<Slit>::Editor editor(slits);
     const auto renew = [&](std::size_t index, std::vector<Slit> row) {
         for (Slit &slit : row)
             if (hasNewIds)
                 slit.joint = idOf(static_cast<int>(index), slit.guest);
         if (row != slits[index])
-            slits.set(index, std::move(row));
+            editor.set(index, std::move(row));
     };
-    for (const int host : concerned) {
+    for (std::size_t place = 0; place < concerned.size(); ++place) {
+        const int host = concerned[place];
         const auto index = static_cast<std::size_t>(host);
         const std::vector<Slit> &before = difference.isChanged(host) ? none : slits[index];
-        renew(index, renewed(before, added[index], &Slit::guest, difference));
+        renew(index, renewed(before, std::move(added[place]), &Slit::guest, difference));
     }
     for (std::size_t index = 0; hasNewIds && index < slits.size(); ++index)
         if (!std::binary_search(concerned.begin(), concerned.end(), static_cast<int>(index)))

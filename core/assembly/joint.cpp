@@ -32,6 +32,7 @@ bool JointList::replace(std::size_t count, std::vector<NewRow> rows)
     std::vector<std::size_t> starts(count + 1);
     std::size_t start = 0;
     m_rows.resize(count);
+    SharedRows<Joint>::Editor editor(m_rows);
     auto next = rows.begin();
     for (std::size_t i = 0; i < count; ++i) {
         starts[i] = start;
@@ -43,9 +44,11 @@ bool JointList::replace(std::size_t count, std::vector<NewRow> rows)
                 moves |= row[k].id != 0 && row[k].id != id;
                 row[k].id = id;
             }
-            m_rows.set(i, std::move(row));
+            start += row.size();
+            editor.set(i, std::move(row));
+        } else {
+            start += m_rows[i].size();
         }
-        start += m_rows[i].size();
     }
     starts.back() = start;
     m_starts = std::move(starts);

@@ -32,13 +32,14 @@ Realigned realigned(const Assembly &before, const std::vector<int> &places)
     Assembly &assembly = result.assembly;
     assembly.boxes.resize(places.size());
     assembly.slits.resize(places.size());
+    SharedRows<Slit>::Editor slits(assembly.slits);
     std::vector<JointList::NewRow> rows;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (places[i] < 0)
             continue;
         const auto place = static_cast<std::size_t>(places[i]);
         assembly.boxes[i] = before.boxes[place];
-        assembly.slits.set(i, moved(before.slits[place], &Slit::guest, newPlaces));
+        slits.set(i, moved(before.slits[place], &Slit::guest, newPlaces));
         std::vector<Joint> row = moved(before.joints.rows()[place], &Joint::b, newPlaces);
         for (Joint &joint : row)
             joint.a = static_cast<int>(i);
