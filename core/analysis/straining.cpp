@@ -204,17 +204,17 @@ void Straining::bend(double scale, const Structure &loaded, Strength &strength) 
     if (!bending)
         return; // it was stopped: whoever did so wants none of this
     strength.stiff = bending->stiff();
-    const std::vector<MemberFlexibility> members = bending->under(scale);
-    std::vector<Equilibrium> bent;
-    for (const FootHold hold : {FootHold::Frictionless, FootHold::Pinned}) {
-        const auto solved = elasticEquilibrium(loaded, members, hold);
-        if (solved && solved->isBalanced())
-            bent.push_back(bentBy(*solved, loaded, strength.equilibrium()));
-        else if (hold == FootHold::Frictionless) {
-            strength.isBendingLost = true;
-            return;
-        }
+    auto structure = ElasticStructure::make(loaded, bending->under(scale));
+    const auto sliding =
+        structure ? structure->solve(FootHold::Frictionless) : tl::unexpected(structure.error());
+    if (!sliding || !sliding->isBalanced()) {
+        strength.isBendingLost = true;
+        return;
     }
+    std::vector<Equilibrium> bent{bentBy(*sliding, loaded, strength.equilibrium())};
+    const auto pinned = structure->solve(FootHold::Pinned);
+    if (pinned && pinned->isBalanced())
+        bent.push_back(bentBy(*pinned, loaded, strength.equilibrium()));
     strength.envelope = std::move(bent);
     strength.isElastic = true;
 }

@@ -1,7 +1,6 @@
 #include "core/physics/elastic_equilibrium.h"
 
-#include "core/physics/least_energy.h"
-#include "core/physics/link_compliance.h"
+#include "core/physics/elastic_energy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,186 +10,18 @@ namespace fff {
 namespace {
 
 constexpr double kNoLoad = 1e-300; // N: keeps what is left of no load at all a number
+/// Of the largest force: a pull beyond a grip by less is rounding (no unit).
+constexpr double kGripSlack = 1e-9;
 
-/// Some unknowns and the wrench that they are, in the world, at a point.
-struct Action
+bool isOf(const Structure &structure, int member, const MemberAttachment &attachment)
 {
-    Vec3 point = Vec3::Zero();
-    int first = 0;                                   // of its unknowns
-    Eigen::Matrix<double, 6, Eigen::Dynamic> wrench; // 6 × unknowns
-};
-
-/// The unknowns of a structure: six a link in the link's axes, moments over the size; one a foot,
-/// and two more where it, or every one, is pinned.
-struct ElasticUnknowns
-{
-    std::vector<Action> links, feet;
-    int count = 0;
-};
-
-ElasticUnknowns unknownsOf(const Structure &structure, FootHold hold)
-{
-    ElasticUnknowns result;
-    for (const Link &link : structure.links) {
-        Action action{link.point, result.count, {}};
-        action.wrench.setZero(6, 6);
-        action.wrench.topLeftCorner<3, 3>() = linkAxes(link);
-        action.wrench.bottomRightCorner<3, 3>() = structure.size * linkAxes(link);
-        result.count += 6;
-        result.links.push_back(std::move(action));
-    }
-    const Vec3 up = structure.up.normalized(), aside = up.unitOrthogonal();
-    for (const Foot &foot : structure.feet) {
-        Action action{foot.point, result.count, {}};
-        const bool isPinned = hold == FootHold::Pinned || foot.isPinned;
-        action.wrench.setZero(6, isPinned ? 3 : 1);
-        action.wrench.col(0).head<3>() = up;
-        if (isPinned) {
-            action.wrench.col(1).head<3>() = aside;
-            action.wrench.col(2).head<3>() = up.cross(aside);
-        }
-        result.count += static_cast<int>(action.wrench.cols());
-        result.feet.push_back(std::move(action));
-    }
-    return result;
-}
-
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-template <class Block>
-void addBlock(Entries &entries, int row, int column, const Block &block)
-{
-    for (int j = 0; j < static_cast<int>(block.cols()); ++j) {
-        for (int i = 0; i < static_cast<int>(block.rows()); ++i) {
-            if (block(i, j) != 0.0)
-                entries.emplace_back(row + i, column + j, block(i, j));
-        }
-    }
-}
-
-/// A wrench about `point` as force and moment about `centre`, the moment over `size`.
-template <class Columns>
-Eigen::Matrix<double, 6, Eigen::Dynamic> shifted(const Columns &wrench, const Vec3 &point,
-                                                 const Vec3 &centre, double size)
-{
-    Eigen::Matrix<double, 6, Eigen::Dynamic> result = wrench;
-    for (Eigen::Index k = 0; k < result.cols(); ++k) {
-        const Vec3 force = result.col(k).template head<3>();
-        result.col(k).template tail<3>() += (point - centre).cross(force);
-    }
-    result.bottomRows(3) /= size;
-    return result;
-}
-
-void setEquations(EnergyProblem &problem, const Structure &structure,
-                  const ElasticUnknowns &unknowns)
-{
-    Entries entries;
-    const auto add = [&](int member, const Action &action, double sign) {
-        const Vec3 &centre = structure.members[static_cast<std::size_t>(member)].centroid;
-        addBlock(entries, 6 * member, action.first,
-                 (sign * shifted(action.wrench, action.point, centre, structure.size)).eval());
-    };
-    for (std::size_t j = 0; j < structure.links.size(); ++j) {
-        add(structure.links[j].a, unknowns.links[j], 1.0);
-        add(structure.links[j].b, unknowns.links[j], -1.0);
-    }
-    for (std::size_t k = 0; k < structure.feet.size(); ++k)
-        add(structure.feet[k].member, unknowns.feet[k], 1.0);
-    const auto rows = 6 * static_cast<Eigen::Index>(structure.members.size());
-    problem.equations.resize(rows, unknowns.count);
-    problem.equations.setFromTriplets(entries.begin(), entries.end());
-
-    problem.constant.setZero(rows);
-    for (std::size_t i = 0; i < structure.members.size(); ++i)
-        problem.constant.segment<3>(6 * static_cast<Eigen::Index>(i)) +=
-            structure.members[i].mass * structure.gravity;
-    for (const MemberLoad &load : structure.loads) {
-        WrenchVector wrench;
-        wrench << load.force, load.moment;
-        const Vec3 &centre = structure.members[static_cast<std::size_t>(load.member)].centroid;
-        problem.constant.segment<6>(6 * load.member) +=
-            shifted(wrench, load.point, centre, structure.size);
-    }
-}
-
-/// The action at an attachment of a member, and its sign there.
-std::pair<const Action *, double> actionAt(const Structure &structure,
-                                           const ElasticUnknowns &unknowns, int member,
-                                           const MemberAttachment &attachment)
-{
+    const bool isFoot = attachment.kind == MemberAttachment::Kind::Foot;
+    const std::size_t count = isFoot ? structure.feet.size() : structure.links.size();
     const auto index = static_cast<std::size_t>(attachment.index);
-    if (attachment.kind == MemberAttachment::Kind::Foot)
-        return {&unknowns.feet[index], 1.0};
-    return {&unknowns.links[index], structure.links[index].a == member ? 1.0 : -1.0};
-}
-
-void addFlexibility(Entries &entries, Eigen::VectorXd &slope, const Structure &structure,
-                    const ElasticUnknowns &unknowns, int member,
-                    const MemberFlexibility &flexibility)
-{
-    const std::size_t n = flexibility.attachments.size();
-    const PlateFlexibility &plate = flexibility.flexibility;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto [rows, rowSign] =
-            actionAt(structure, unknowns, member, flexibility.attachments[i]);
-        const auto row = 6 * static_cast<Eigen::Index>(i);
-        slope.segment(rows->first, rows->wrench.cols()) +=
-            rowSign * rows->wrench.transpose() * plate.deflection.segment<6>(row);
-        for (std::size_t j = 0; j < n; ++j) {
-            const auto [columns, columnSign] =
-                actionAt(structure, unknowns, member, flexibility.attachments[j]);
-            const auto column = 6 * static_cast<Eigen::Index>(j);
-            addBlock(entries, rows->first, columns->first,
-                     (rowSign * columnSign * rows->wrench.transpose() *
-                      plate.compliance.block<6, 6>(row, column) * columns->wrench)
-                         .eval());
-        }
-    }
-}
-
-void setEnergy(EnergyProblem &problem, const Structure &structure, const ElasticUnknowns &unknowns,
-               const std::vector<MemberFlexibility> &members)
-{
-    Entries entries;
-    problem.slope.setZero(unknowns.count);
-    for (std::size_t j = 0; j < structure.links.size(); ++j) {
-        Eigen::Matrix<double, 6, 1> compliance = linkCompliance(structure.links[j]);
-        compliance.tail<3>() *= structure.size * structure.size;
-        for (int k = 0; k < 6; ++k) {
-            const int at = unknowns.links[j].first + k;
-            entries.emplace_back(at, at, compliance[k]);
-        }
-    }
-    for (std::size_t k = 0; k < structure.feet.size(); ++k) {
-        for (int i = 0; i < static_cast<int>(unknowns.feet[k].wrench.cols()); ++i) {
-            const int at = unknowns.feet[k].first + i;
-            entries.emplace_back(at, at, 1.0 / structure.feet[k].stiffness);
-        }
-    }
-    for (std::size_t i = 0; i < members.size(); ++i)
-        addFlexibility(entries, problem.slope, structure, unknowns, static_cast<int>(i),
-                       members[i]);
-    problem.energy.resize(unknowns.count, unknowns.count);
-    problem.energy.setFromTriplets(entries.begin(), entries.end());
-}
-
-void setBounds(EnergyProblem &problem, const Structure &structure, const ElasticUnknowns &unknowns)
-{
-    problem.bounds.assign(static_cast<std::size_t>(unknowns.count), {});
-    const auto bound = [&](int unknown) -> EnergyBound & {
-        return problem.bounds[static_cast<std::size_t>(unknown)];
-    };
-    for (std::size_t j = 0; j < structure.links.size(); ++j) {
-        if (std::isfinite(structure.links[j].grip))
-            bound(unknowns.links[j].first + 2) = {EnergyBound::Kind::AtMost,
-                                                  structure.links[j].grip, -1};
-    }
-    for (const Action &foot : unknowns.feet) {
-        bound(foot.first).kind = EnergyBound::Kind::AtLeast;
-        for (int i = 1; i < static_cast<int>(foot.wrench.cols()); ++i)
-            bound(foot.first + i).follows = foot.first;
-    }
+    if (attachment.index < 0 || index >= count)
+        return false;
+    return isFoot ? structure.feet[index].member == member
+                  : structure.links[index].a == member || structure.links[index].b == member;
 }
 
 bool fits(const Structure &structure, const std::vector<MemberFlexibility> &members)
@@ -203,70 +34,139 @@ bool fits(const Structure &structure, const std::vector<MemberFlexibility> &memb
         if (plate.deflection.size() != rows || plate.compliance.rows() != rows ||
             plate.compliance.cols() != rows)
             return false;
-        for (const MemberAttachment &at : attachments) {
-            const bool isFoot = at.kind == MemberAttachment::Kind::Foot;
-            const std::size_t count = isFoot ? structure.feet.size() : structure.links.size();
-            if (at.index < 0 || static_cast<std::size_t>(at.index) >= count)
+        for (const MemberAttachment &at : attachments)
+            if (!isOf(structure, static_cast<int>(i), at))
                 return false;
-        }
     }
     return true;
 }
 
-ElasticEquilibrium told(const LeastEnergy &least, const Structure &structure,
-                        const ElasticUnknowns &unknowns, double scale)
+/// What drives each member, about its centroid, moments over the size.
+Eigen::VectorXd drivingLoads(const Structure &structure)
 {
-    ElasticEquilibrium result;
-    const auto wrench = [&](const Action &action) -> WrenchVector {
-        return action.wrench * least.unknowns.segment(action.first, action.wrench.cols());
-    };
-    for (const Action &link : unknowns.links) {
-        result.links.push_back(wrench(link));
-        result.isParted.push_back(least.isAtBound[static_cast<std::size_t>(link.first + 2)]);
+    Eigen::VectorXd loads =
+        Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(structure.members.size()));
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        loads.segment<3>(6 * static_cast<Eigen::Index>(i)) +=
+            structure.members[i].mass * structure.gravity;
+    for (const MemberLoad &load : structure.loads) {
+        const Vec3 &centroid = structure.members[static_cast<std::size_t>(load.member)].centroid;
+        WrenchVector wrench;
+        wrench << load.force, load.moment;
+        wrench = movedTo(centroid, load.point, wrench);
+        wrench.tail<3>() /= structure.size;
+        loads.segment<6>(6 * static_cast<Eigen::Index>(load.member)) += wrench;
     }
-    for (const Action &foot : unknowns.feet) {
-        result.feet.push_back(wrench(foot).head<3>());
-        result.isLifted.push_back(least.isAtBound[static_cast<std::size_t>(foot.first)]);
-    }
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const double rest =
-            least.residual.segment<6>(6 * static_cast<Eigen::Index>(i)).norm() / scale;
-        result.residual.push_back(rest);
-        result.worstResidual = std::max(result.worstResidual, rest);
-    }
-    result.passes = least.passes;
-    result.isSettled = least.isSettled;
-    return result;
+    return loads;
 }
 
 } // namespace
+
+Result<ElasticStructure> ElasticStructure::make(const Structure &structure,
+                                                const std::vector<MemberFlexibility> &members)
+{
+    if (!fits(structure, members))
+        return failure(ErrorCode::BadCount);
+    ElasticStructure made(structure, members);
+    if (!made.m_isFinite)
+        return failure(ErrorCode::NonFinite);
+    return made;
+}
+
+ElasticStructure::ElasticStructure(const Structure &structure,
+                                   const std::vector<MemberFlexibility> &members)
+    : m_structure(structure), m_chains(linkChains(structure)),
+      m_boundOf(structure.links.size(), -1), m_loads(drivingLoads(structure).norm())
+{
+    EnergyProblem problem = elasticEnergy(structure, m_chains, members);
+    m_isFinite = std::isfinite(m_loads) && isFinite(problem);
+    for (std::size_t k = 0; k < structure.feet.size(); ++k)
+        problem.bounds.push_back(footBound(m_chains, static_cast<int>(k)));
+    for (std::size_t j = 0; j < structure.links.size(); ++j) {
+        if (m_chains.links[j].chain < 0 || !std::isfinite(structure.links[j].grip))
+            continue;
+        m_boundOf[j] = static_cast<int>(problem.bounds.size());
+        problem.bounds.push_back(gripBound(structure.links[j], m_chains.links[j]));
+    }
+    for (const LinkChains::Link &link : m_chains.links)
+        problem.leastForce = std::max(problem.leastForce, link.rest.head<3>().norm());
+    if (m_isFinite && !problem.sizes.empty())
+        m_search.emplace(std::move(problem));
+}
+
+Result<ElasticEquilibrium> ElasticStructure::solve(FootHold hold, const LongWork &work)
+{
+    if (!m_search) {
+        LeastEnergy nothing;
+        nothing.isSettled = true;
+        return told(nothing);
+    }
+    std::vector<int> zeros;
+    for (std::size_t k = 0; hold == FootHold::Frictionless && k < m_structure.feet.size(); ++k) {
+        const int first = firstOfFoot(m_chains, static_cast<int>(k));
+        if (!m_structure.feet[k].isPinned)
+            zeros.insert(zeros.end(), {first + 1, first + 2});
+    }
+    const LeastEnergy least = m_search->least(zeros, work);
+    if (work.isStopped())
+        return failure(ErrorCode::Cancelled);
+    return told(least);
+}
+
+ElasticEquilibrium ElasticStructure::told(const LeastEnergy &least) const
+{
+    const Structure &structure = m_structure;
+    ElasticEquilibrium result;
+    result.passes = least.passes;
+    result.isSettled = least.isSettled;
+    Eigen::VectorXd left = drivingLoads(structure);
+    const auto act = [&](int member, const Vec3 &point, const WrenchVector &wrench) {
+        const auto i = static_cast<std::size_t>(member);
+        WrenchVector moved = movedTo(structure.members[i].centroid, point, wrench);
+        moved.tail<3>() /= structure.size;
+        left.segment<6>(6 * static_cast<Eigen::Index>(i)) += moved;
+    };
+    double largest = least.unknowns.size() > 0 ? least.unknowns.cwiseAbs().maxCoeff() : 0.0;
+    for (const LinkChains::Link &link : m_chains.links)
+        largest = std::max(largest, link.rest.head<3>().norm());
+    for (std::size_t j = 0; j < structure.links.size(); ++j) {
+        const Link &link = structure.links[j];
+        const WrenchVector wrench =
+            wrenchOf(structure, m_chains, static_cast<int>(j), least.unknowns);
+        const int bound = m_boundOf[j];
+        result.links.push_back(wrench);
+        result.isParted.push_back(bound >= 0 && least.isAtBound[static_cast<std::size_t>(bound)]);
+        // What follows from statics alone nothing can share.
+        if (bound < 0 &&
+            wrench.head<3>().dot(link.axis.normalized()) - link.grip > kGripSlack * largest)
+            result.isSettled = false;
+        act(link.a, link.point, wrench);
+        act(link.b, link.point, -wrench);
+    }
+    for (std::size_t k = 0; k < structure.feet.size(); ++k) {
+        const Foot &foot = structure.feet[k];
+        WrenchVector wrench = WrenchVector::Zero();
+        wrench.head<3>() = footAxes(structure) *
+                           least.unknowns.segment<3>(firstOfFoot(m_chains, static_cast<int>(k)));
+        result.feet.push_back(wrench.head<3>());
+        result.isLifted.push_back(least.isAtBound[k]);
+        act(foot.member, foot.point, wrench);
+    }
+    for (Eigen::Index i = 0; i < left.size(); i += 6) {
+        result.residual.push_back(left.segment<6>(i).norm() / std::max(m_loads, kNoLoad));
+        result.worstResidual = std::max(result.worstResidual, result.residual.back());
+    }
+    return result;
+}
 
 Result<ElasticEquilibrium> elasticEquilibrium(const Structure &structure,
                                               const std::vector<MemberFlexibility> &members,
                                               FootHold hold, const LongWork &work)
 {
-    if (!fits(structure, members))
-        return failure(ErrorCode::BadCount);
-    const ElasticUnknowns unknowns = unknownsOf(structure, hold);
-    EnergyProblem problem;
-    setEnergy(problem, structure, unknowns, members);
-    setEquations(problem, structure, unknowns);
-    setBounds(problem, structure, unknowns);
-    const Eigen::Map<const Eigen::VectorXd> energies(problem.energy.valuePtr(),
-                                                     problem.energy.nonZeros());
-    if (!energies.allFinite() || !problem.constant.allFinite() || !problem.slope.allFinite())
-        return failure(ErrorCode::NonFinite);
-    if (unknowns.count == 0) {
-        ElasticEquilibrium none;
-        none.isSettled = true;
-        none.residual.assign(structure.members.size(), problem.constant.isZero(0.0) ? 0.0 : 1.0);
-        none.worstResidual = problem.constant.isZero(0.0) ? 0.0 : 1.0;
-        return none;
-    }
-    const LeastEnergy least = leastEnergy(problem, work);
-    if (work.isStopped())
-        return failure(ErrorCode::Cancelled);
-    return told(least, structure, unknowns, std::max(problem.constant.norm(), kNoLoad));
+    auto made = ElasticStructure::make(structure, members);
+    if (!made)
+        return tl::unexpected(made.error());
+    return made->solve(hold, work);
 }
 
 } // namespace fff

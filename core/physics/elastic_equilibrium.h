@@ -3,30 +3,14 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/physics/elastic_energy.h"
 #include "core/physics/long_work.h"
-#include "core/physics/plate_flexibility.h"
 #include "core/physics/structure.h"
 
+#include <optional>
 #include <vector>
 
 namespace fff {
-
-/// Where a member is held: at a link or at a foot of the structure.
-struct MemberAttachment
-{
-    enum class Kind { Link, Foot };
-
-    Kind kind = Kind::Link;
-    int index = 0;
-};
-
-/// How a member gives. Without attachments it is rigid.
-struct MemberFlexibility
-{
-    std::vector<MemberAttachment> attachments; // in the order of the flexibility's blocks
-    PlateFlexibility flexibility;              // vectors of the world, moments about the link's
-                                               // point, or the foot's; under weight and loads
-};
 
 enum class FootHold {
     Frictionless, // vertical forces only, but for feet that are pinned each
@@ -50,18 +34,42 @@ struct ElasticEquilibrium
     static constexpr double kBalanced = 1e-6;
 };
 
-/// The least complementary energy of members that give as told (empty: rigid), links as in
-/// link_compliance.h, feet as stiff as they say:
+/// A structure whose members give as told (empty: rigid), links as in link_compliance.h, feet as
+/// stiff as they say. What it carries is where the complementary energy is least:
 ///
 ///     minimise ½ x'Hx + c'x  over wrenches and feet x,   equilibrium of every member,
 ///     feet ≥ 0, force of a link along its axis ≤ grip
 ///     H = joints + feet + Σ P'CP,   c = Σ P'd
 ///
-/// Unique, since joints give. Sparse: a hundred members take some passes of a few milliseconds.
-/// Errors  NonFinite for numbers that are none, BadCount for flexibilities that do not fit;
-///         Cancelled.
+/// Unique, since joints give. x are the wrenches of chains of links (link_chains.h): what follows
+/// from statics is no unknown, and of models of ribs a third is left. A hundred members take some
+/// passes of a few milliseconds. What does not hang on how feet are held is worked out once.
 /// Source  the product's mechanics, section 1; S. Timoshenko, D. Young 1965, Theory of structures
 ///         (complementary energy).
+class ElasticStructure
+{
+public:
+    /// Errors  NonFinite for numbers that are none, BadCount for flexibilities that do not fit.
+    static Result<ElasticStructure> make(const Structure &structure,
+                                         const std::vector<MemberFlexibility> &members);
+
+    /// Errors  Cancelled.
+    Result<ElasticEquilibrium> solve(FootHold hold, const LongWork &work = {});
+
+private:
+    ElasticStructure(const Structure &structure, const std::vector<MemberFlexibility> &members);
+
+    ElasticEquilibrium told(const LeastEnergy &least) const;
+
+    Structure m_structure;
+    LinkChains m_chains;
+    std::vector<int> m_boundOf; // of each link, its bound; −1: none
+    std::optional<LeastEnergySearch> m_search;
+    double m_loads = 0.0; // N: of all that drives it
+    bool m_isFinite = true;
+};
+
+/// The same for one hold.
 Result<ElasticEquilibrium> elasticEquilibrium(const Structure &structure,
                                               const std::vector<MemberFlexibility> &members,
                                               FootHold hold = FootHold::Frictionless,

@@ -1,8 +1,8 @@
 #include "core/physics/least_energy.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fff {
 
@@ -16,205 +16,229 @@ constexpr int kPassesAtOnce = 10;    // then one change a pass
 constexpr int kPassesPerBound = 3;   // of the worst, before the first
 constexpr double kNothing = 1e-300;  // keeps a scale of nothing from being divided by
 
-using EnergyMatrix = Eigen::SparseMatrix<double>;
-
-/// [H A'; A −springs], its lower half. Which unknowns are fixed changes values only: their rows and
-/// columns become those of the identity, so that the order of elimination is found once.
-class Conditions
+std::vector<std::vector<int>> blocksOf(const std::vector<EnergyPiece> &pieces)
 {
-public:
-    Conditions(const EnergyProblem &problem, double spring)
-        : m_unknowns(problem.slope.size()), m_rows(problem.constant.size()), m_spring(spring)
-    {
-        std::vector<Eigen::Triplet<double>> entries;
-        entries.reserve(static_cast<std::size_t>(
-            problem.energy.nonZeros() + problem.equations.nonZeros() + m_rows + m_unknowns));
-        const auto each = [](const EnergyMatrix &matrix, const auto &use) {
-            for (Eigen::Index k = 0; k < matrix.outerSize(); ++k)
-                for (EnergyMatrix::InnerIterator it(matrix, k); it; ++it)
-                    use(it.row(), it.col(), it.value());
-        };
-        each(problem.energy, [&](Eigen::Index i, Eigen::Index j, double value) {
-            if (i >= j)
-                entries.emplace_back(i, j, value);
-        });
-        each(problem.equations, [&](Eigen::Index i, Eigen::Index j, double value) {
-            entries.emplace_back(m_unknowns + i, j, value);
-        });
-        for (Eigen::Index i = 0; i < m_unknowns + m_rows; ++i)
-            entries.emplace_back(i, i, 0.0); // each has a diagonal
-        m_matrix.resize(m_unknowns + m_rows, m_unknowns + m_rows);
-        m_matrix.setFromTriplets(entries.begin(), entries.end());
-        m_values.assign(m_matrix.valuePtr(), m_matrix.valuePtr() + m_matrix.nonZeros());
-        m_factors.analyzePattern(m_matrix);
-    }
-
-    /// isFixed(unknown). False where it cannot be factored.
-    template <class IsFixed>
-    bool factorise(const IsFixed &isFixed)
-    {
-        std::vector<char> fixed(static_cast<std::size_t>(m_unknowns + m_rows), 0);
-        for (Eigen::Index i = 0; i < m_unknowns; ++i)
-            fixed[static_cast<std::size_t>(i)] = isFixed(i) ? 1 : 0;
-        double *value = m_matrix.valuePtr();
-        std::copy(m_values.begin(), m_values.end(), value);
-        for (Eigen::Index j = 0; j < m_matrix.outerSize(); ++j)
-            for (EnergyMatrix::InnerIterator it(m_matrix, j); it; ++it)
-                if (fixed[static_cast<std::size_t>(it.row())] || fixed[static_cast<std::size_t>(j)])
-                    it.valueRef() = it.row() == j ? 1.0 : 0.0;
-        // What the factors are held by is no part of what is solved.
-        EnergyMatrix held = m_matrix;
-        for (Eigen::Index j = m_unknowns; j < held.outerSize(); ++j)
-            held.coeffRef(j, j) -= m_spring;
-        m_factors.factorize(held);
-        return m_factors.info() == Eigen::Success;
-    }
-    Eigen::VectorXd solved(const Eigen::VectorXd &right) const { return m_factors.solve(right); }
-    Eigen::VectorXd times(const Eigen::VectorXd &vector) const
-    {
-        return m_matrix.selfadjointView<Eigen::Lower>() * vector;
-    }
-
-private:
-    Eigen::Index m_unknowns, m_rows;
-    double m_spring;
-    EnergyMatrix m_matrix;
-    std::vector<double> m_values; // with all unknowns free
-    Eigen::SimplicialLDLT<EnergyMatrix, Eigen::Lower> m_factors;
-};
-
-double springOf(const EnergyProblem &problem)
-{
-    return problem.slope.size() > 0 ? kSpring / problem.energy.diagonal().mean() : 1.0;
+    std::vector<std::vector<int>> blocks;
+    for (const EnergyPiece &piece : pieces)
+        blocks.push_back(piece.blocks);
+    return blocks;
 }
 
-/// The state of the active set, and what solves with it.
-class EnergySearch
+double meanDiagonal(const EnergyProblem &problem)
 {
-public:
-    explicit EnergySearch(const EnergyProblem &problem)
-        : m_problem(problem), m_size(problem.slope.size()), m_rows(problem.constant.size()),
-          m_isFixed(static_cast<std::size_t>(m_size), false),
-          m_conditions(problem, springOf(problem))
-    {
-        m_result.unknowns = Eigen::VectorXd::Zero(m_size);
-        m_result.multipliers = Eigen::VectorXd::Zero(m_rows);
-    }
-
-    /// False when the matrix cannot be factored.
-    bool solve();
-    /// Unknowns whose state is wrong, with how much, over the scale of its kind.
-    std::vector<std::pair<double, int>> faults() const;
-    void change(int unknown) { m_isFixed[at(unknown)] = !m_isFixed[at(unknown)]; }
-    int bounds() const
-    {
-        return static_cast<int>(
-            std::count_if(m_problem.bounds.begin(), m_problem.bounds.end(),
-                          [](const EnergyBound &b) { return b.kind != EnergyBound::Kind::None; }));
-    }
-    LeastEnergy result(int passes, bool isSettled) &&
-    {
-        m_result.passes = passes;
-        m_result.isSettled = isSettled;
-        m_result.isAtBound.assign(m_isFixed.begin(), m_isFixed.end());
-        m_result.residual = m_problem.equations * m_result.unknowns + m_problem.constant;
-        return std::move(m_result);
-    }
-
-private:
-    static std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
-    bool isFixed(Eigen::Index i) const
-    {
-        const int leader = m_problem.bounds[at(i)].follows;
-        return m_isFixed[at(i)] || (leader >= 0 && m_isFixed[at(leader)]);
-    }
-
-    const EnergyProblem &m_problem;
-    Eigen::Index m_size, m_rows;
-    std::vector<bool> m_isFixed;
-    Conditions m_conditions;
-    LeastEnergy m_result;
-};
-
-bool EnergySearch::solve()
-{
-    Eigen::VectorXd &x = m_result.unknowns;
-    for (Eigen::Index i = 0; i < m_size; ++i)
-        x[i] = m_isFixed[at(i)] ? m_problem.bounds[at(i)].value : 0.0;
-    if (!m_conditions.factorise([this](Eigen::Index i) { return isFixed(i); }))
-        return false;
-    Eigen::VectorXd right(m_size + m_rows);
-    right.head(m_size) = -(m_problem.slope + m_problem.energy * x);
-    for (Eigen::Index i = 0; i < m_size; ++i)
-        if (isFixed(i))
-            right[i] = 0.0;
-    right.tail(m_rows) = -(m_problem.constant + m_problem.equations * x);
-    // Two scales: displacements above, forces below.
-    const double above = std::max(right.head(m_size).norm(), kNothing),
-                 below = std::max(right.tail(m_rows).norm(), kNothing);
-    const double scale = std::max(above, m_problem.energy.diagonal().mean() * below);
-    Eigen::VectorXd found = Eigen::VectorXd::Zero(right.size()), rest = right;
-    for (int k = 0; k < kRefinements; ++k) {
-        found += m_conditions.solved(rest);
-        rest = right - m_conditions.times(found);
-        if (rest.head(m_size).norm() < kRefined * scale &&
-            rest.tail(m_rows).norm() < kRefined * below)
-            break;
-    }
-    x += found.head(m_size); // nothing where it is fixed
-    m_result.multipliers = found.tail(m_rows);
-    return found.allFinite();
-}
-
-std::vector<std::pair<double, int>> EnergySearch::faults() const
-{
-    const Eigen::VectorXd &x = m_result.unknowns;
-    const Eigen::VectorXd slope = m_problem.energy * x + m_problem.slope +
-                                  m_problem.equations.transpose() * m_result.multipliers;
-    const double largest = std::max(x.cwiseAbs().maxCoeff(), kNothing);
-    const double steepest = largest * m_problem.energy.diagonal().mean();
-    std::vector<std::pair<double, int>> found;
-    for (Eigen::Index i = 0; i < m_size; ++i) {
-        const EnergyBound &bound = m_problem.bounds[at(i)];
-        if (bound.kind == EnergyBound::Kind::None)
-            continue;
-        const double sign = bound.kind == EnergyBound::Kind::AtLeast ? 1.0 : -1.0;
-        const double fault =
-            m_isFixed[at(i)] ? -sign * slope[i] / steepest : sign * (bound.value - x[i]) / largest;
-        if (fault > kBoundSlack)
-            found.emplace_back(fault, static_cast<int>(i));
-    }
-    return found;
+    double sum = 0.0;
+    for (const Eigen::MatrixXd &own : problem.own)
+        sum += own.trace();
+    for (const EnergyPiece &piece : problem.pieces)
+        sum += piece.energy.trace();
+    return problem.slope.size() > 0 ? sum / static_cast<double>(problem.slope.size()) : 0.0;
 }
 
 } // namespace
 
-LeastEnergy leastEnergy(const EnergyProblem &problem, const LongWork &work)
+LeastEnergySearch::LeastEnergySearch(EnergyProblem problem)
+    : m_problem(std::move(problem)), m_scale(meanDiagonal(m_problem)),
+      m_spring(m_scale > 0.0 ? kSpring / m_scale : 1.0), m_starts(m_problem.sizes.size()),
+      m_factors(m_problem.sizes, blocksOf(m_problem.pieces))
 {
-    EnergySearch search(problem);
-    const int bounds = search.bounds();
+    std::exclusive_scan(m_problem.sizes.begin(), m_problem.sizes.end(), m_starts.begin(), 0);
+    for (const EnergyPiece &piece : m_problem.pieces) {
+        m_unknowns.emplace_back();
+        for (const int block : piece.blocks)
+            for (int i = 0; i < m_problem.sizes[static_cast<std::size_t>(block)]; ++i)
+                m_unknowns.back().push_back(m_starts[static_cast<std::size_t>(block)] + i);
+        m_held.push_back(piece.energy);
+        m_held.back().selfadjointView<Eigen::Lower>().rankUpdate(piece.equations.transpose(),
+                                                                 1.0 / m_spring);
+    }
+}
+
+void LeastEnergySearch::setRows(const std::vector<int> &zeros)
+{
+    m_rows.clear();
+    const auto hold = [this](int block, int unknown, int bound) {
+        Row row{block, Eigen::VectorXd::Zero(m_problem.sizes[at(block)]), 0.0, bound};
+        row.direction[unknown] = 1.0;
+        m_rows.push_back(std::move(row));
+    };
+    std::vector<char> isLoose(m_problem.sizes.size(), 0);
+    for (std::size_t k = 0; k < m_problem.bounds.size(); ++k) {
+        const EnergyBound &bound = m_problem.bounds[k];
+        if (!m_isAtBound[k])
+            continue;
+        if (!bound.isLoose) {
+            m_rows.push_back({bound.block, bound.direction, bound.value, static_cast<int>(k)});
+            continue;
+        }
+        isLoose[at(bound.block)] = 1;
+        for (int i = 0; i < m_problem.sizes[at(bound.block)]; ++i)
+            hold(bound.block, i, bound.direction[i] != 0.0 ? static_cast<int>(k) : -1);
+    }
+    for (const int unknown : zeros) {
+        const auto block = std::upper_bound(m_starts.begin(), m_starts.end(), unknown) - 1;
+        const int index = static_cast<int>(block - m_starts.begin());
+        if (!isLoose[at(index)])
+            hold(index, unknown - *block, -1);
+    }
+}
+
+Eigen::VectorXd LeastEnergySearch::gathered(std::size_t piece, const Eigen::VectorXd &x) const
+{
+    const std::vector<int> &unknowns = m_unknowns[piece];
+    Eigen::VectorXd of(static_cast<Eigen::Index>(unknowns.size()));
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        of[static_cast<Eigen::Index>(i)] = x[unknowns[i]];
+    return of;
+}
+
+Eigen::VectorBlock<Eigen::VectorXd> LeastEnergySearch::segment(Eigen::VectorXd &x, int block) const
+{
+    return x.segment(m_starts[at(block)], m_problem.sizes[at(block)]);
+}
+
+LeastEnergySearch::Rest LeastEnergySearch::rest()
+{
+    Rest rest{-m_problem.slope, Eigen::VectorXd::Zero(m_x.size()), {}, {}, 0.0};
+    for (std::size_t b = 0; b < m_problem.own.size(); ++b) {
+        const int block = static_cast<int>(b);
+        segment(rest.slope, block) -= m_problem.own[b] * segment(m_x, block);
+    }
+    double missed = 0.0;
+    for (std::size_t i = 0; i < m_problem.pieces.size(); ++i) {
+        const EnergyPiece &piece = m_problem.pieces[i];
+        const Eigen::VectorXd x = gathered(i, m_x);
+        const Eigen::VectorXd left = -piece.constant - piece.equations * x;
+        const Eigen::VectorXd sprung = piece.equations.transpose() * left / m_spring;
+        Eigen::VectorXd slope = -(piece.equations.transpose() * m_multipliers[i]);
+        slope.noalias() -= piece.energy.selfadjointView<Eigen::Lower>() * x;
+        for (std::size_t j = 0; j < m_unknowns[i].size(); ++j) {
+            rest.slope[m_unknowns[i][j]] += slope[static_cast<Eigen::Index>(j)];
+            rest.sprung[m_unknowns[i][j]] += sprung[static_cast<Eigen::Index>(j)];
+        }
+        missed += left.squaredNorm();
+        rest.pieces.push_back(left);
+    }
+    for (const Row &row : m_rows) {
+        const double left = row.value - row.direction.dot(segment(m_x, row.block));
+        segment(rest.slope, row.block) -= row.multiplier * row.direction;
+        segment(rest.sprung, row.block) += left / m_spring * row.direction;
+        missed += left * left;
+        rest.rows.push_back(left);
+    }
+    rest.missed = std::sqrt(missed);
+    return rest;
+}
+
+void LeastEnergySearch::refine(const Rest &rest)
+{
+    Eigen::VectorXd step = m_factors.solved(rest.slope + rest.sprung);
+    // Of what the step leaves, not of all: springs are so stiff that its rounding would count.
+    for (std::size_t i = 0; i < m_problem.pieces.size(); ++i)
+        m_multipliers[i] +=
+            (m_problem.pieces[i].equations * gathered(i, step) - rest.pieces[i]) / m_spring;
+    for (std::size_t r = 0; r < m_rows.size(); ++r)
+        m_rows[r].multiplier +=
+            (m_rows[r].direction.dot(segment(step, m_rows[r].block)) - rest.rows[r]) / m_spring;
+    m_x += step;
+}
+
+bool LeastEnergySearch::solve()
+{
+    std::vector<Eigen::MatrixXd> own = m_problem.own;
+    double squares = 0.0;
+    for (const Row &row : m_rows) {
+        own[at(row.block)] += row.direction * row.direction.transpose() / m_spring;
+        squares += row.value * row.value;
+    }
+    m_x.setZero(m_problem.slope.size());
+    m_multipliers.clear();
+    for (const EnergyPiece &piece : m_problem.pieces) {
+        m_multipliers.push_back(Eigen::VectorXd::Zero(piece.constant.size()));
+        squares += piece.constant.squaredNorm();
+    }
+    if (!m_factors.factorise(own, m_held))
+        return false;
+    // Two scales: displacements and forces.
+    const double forces = std::max(std::sqrt(squares), kNothing);
+    const double moves = std::max(m_problem.slope.norm(), m_scale * forces);
+    for (int k = 0; k < kRefinements; ++k) {
+        const Rest left = rest();
+        if (left.slope.norm() < kRefined * moves && left.missed < kRefined * forces)
+            break;
+        refine(left);
+    }
+    return m_x.allFinite();
+}
+
+void LeastEnergySearch::finish()
+{
+    refine(rest());               // once more: how well that is told is what answers differ in
+    for (const Row &row : m_rows) // exactly: nought is nought
+        segment(m_x, row.block) -= (row.direction.dot(segment(m_x, row.block)) - row.value) /
+                                   row.direction.squaredNorm() * row.direction;
+}
+
+std::vector<std::pair<double, int>> LeastEnergySearch::faults() const
+{
+    const double largest = std::max({m_x.cwiseAbs().maxCoeff(), m_problem.leastForce, kNothing});
+    const double steepest = largest * m_scale;
+    std::vector<std::pair<double, int>> found;
+    const auto look = [&](double fault, std::size_t bound) {
+        if (fault > kBoundSlack)
+            found.emplace_back(fault, static_cast<int>(bound));
+    };
+    const auto sign = [](const EnergyBound &bound) {
+        return bound.kind == EnergyBound::Kind::AtLeast ? 1.0 : -1.0;
+    };
+    for (const Row &row : m_rows) {
+        if (row.bound >= 0)
+            look(sign(m_problem.bounds[at(row.bound)]) * row.multiplier / steepest, at(row.bound));
+    }
+    for (std::size_t k = 0; k < m_problem.bounds.size(); ++k) {
+        const EnergyBound &bound = m_problem.bounds[k];
+        if (m_isAtBound[k])
+            continue;
+        const double sum = bound.direction.dot(
+            m_x.segment(m_starts[at(bound.block)], m_problem.sizes[at(bound.block)]));
+        look(sign(bound) * (bound.value - sum) / largest, k);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const auto &a, const auto &b) { return a.second < b.second; });
+    return found;
+}
+
+LeastEnergy LeastEnergySearch::least(const std::vector<int> &zeros, const LongWork &work)
+{
+    const int bounds = static_cast<int>(m_problem.bounds.size());
+    m_isAtBound.assign(m_problem.bounds.size(), false);
     const int bland = kPassesAtOnce + kPassesPerBound * bounds, most = bland + 10 * bounds + 10;
+    const auto result = [this](int passes, bool isSettled) {
+        return LeastEnergy{m_x, m_isAtBound, passes, isSettled};
+    };
+    const auto change = [this](int bound) { m_isAtBound[at(bound)] = !m_isAtBound[at(bound)]; };
     double share = 0.0;
     for (int pass = 1; pass <= most; ++pass) {
-        if (work.isStopped() || !search.solve())
-            return std::move(search).result(pass, false);
-        const std::vector<std::pair<double, int>> faults = search.faults();
-        if (faults.empty()) {
+        setRows(zeros);
+        if (work.isStopped() || !solve())
+            return result(pass, false);
+        const std::vector<std::pair<double, int>> wrong = faults();
+        if (wrong.empty()) {
+            finish();
             work.tell(1.0);
-            return std::move(search).result(pass, true);
+            return result(pass, true);
         }
         if (pass <= kPassesAtOnce) {
-            for (const auto &[fault, unknown] : faults)
-                search.change(unknown);
+            for (const auto &[fault, bound] : wrong)
+                change(bound);
         } else if (pass <= bland) {
-            search.change(std::max_element(faults.begin(), faults.end())->second);
+            change(std::max_element(wrong.begin(), wrong.end())->second);
         } else {
-            search.change(faults.front().second);
+            change(wrong.front().second);
         }
         share += 0.3 * (1.0 - share);
         work.tell(share);
     }
-    return std::move(search).result(most, false);
+    return result(most, false);
 }
 
 } // namespace fff

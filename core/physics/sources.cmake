@@ -6,13 +6,16 @@ target_sources(fff_core PRIVATE
     physics/contact_search.cpp
     physics/cut_forces.cpp
     physics/cut_sides.cpp
+    physics/elastic_energy.cpp
     physics/elastic_equilibrium.cpp
     physics/equilibrium.cpp
     physics/fitting_motions.cpp
     physics/force_sites.cpp
+    physics/frontal_factors.cpp
     physics/indeterminacy.cpp
     physics/least_energy.cpp
     physics/line_cut.cpp
+    physics/link_chains.cpp
     physics/link_compliance.cpp
     physics/link_stiffness.cpp
     physics/neck.cpp

@@ -1,9 +1,11 @@
 fff_tests(tests_physics LIBRARIES fff::core Polyclipping::Polyclipping TESTS
     core/physics/tst_balance
     core/physics/tst_elastic_equilibrium
+    core/physics/tst_elastic_sharing
     core/physics/tst_equilibrium
     core/physics/tst_equilibrium_extremes
     core/physics/tst_equilibrium_laws
+    core/physics/tst_frontal_factors
     core/physics/tst_line_cut
     core/physics/tst_link_stiffness
     core/physics/tst_neck
