@@ -9955,7 +9955,7 @@
     <message>
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
-        <translation>Bewegung %1 ×</translation>
+        <translation>Bewegung %1&#x202f;×</translation>
     </message>
 </context>
 <context>
