@@ -364,6 +364,10 @@ BodyStrength Straining::worstOf(int index,
     }
     KeptLines lines;
     for (SampleStresses &stress : stresses) {
+        // Which of several ways is refined, and covers lines of the grid there, is not to tell
+        // which of these are known.
+        if (detail == Detail::WithLines && stresses.size() > 1)
+            lines.add(stress.result(kLeastShown), cuts.samples().size());
         if (detail != Detail::Grid && (stress.worstNeck() >= kNearlyWorst * worstNeck ||
                                        stress.worstCorner() >= kNearlyWorst * worstCorner))
             stress.refine(StressOptions().refined);
