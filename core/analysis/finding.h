@@ -52,6 +52,11 @@ struct FindingKind
     Text advice = {};
     /// Its title where that has something of the finding in it: "Holds 350 g". Null: `title` is it.
     Message (*titled)(const Finding &) = nullptr;
+    /// How far it is from what is graver, in a unit of its own; the more, the better. Null: there
+    /// is no measure.
+    double (*spare)(const Finding &) = nullptr;
+    /// Even as a note it says that something is lost: no mend may bring it.
+    bool isLoss = false;
 };
 
 /// A value. What only its kind knows of is in its details, which copies share.

@@ -60,6 +60,28 @@ std::optional<Burden> burdenOfSame(std::span<const Finding> found, const Finding
     return burden;
 }
 
+/// So much of the distance from what is graver has to stay.
+constexpr double kKeptSpare = 0.9;
+
+/// Nearer to what is graver than anything that is said alike was before.
+bool isNearer(const Finding &finding, std::span<const Finding> before)
+{
+    if (!finding.kind->spare || finding.severity != Severity::Warning)
+        return false;
+    std::optional<double> was;
+    for (const Finding &other : before)
+        if (other.is(*finding.kind) && other.severity == Severity::Warning)
+            was = std::min(was.value_or(other.kind->spare(other)), other.kind->spare(other));
+    return was && finding.kind->spare(finding) < kKeptSpare * *was;
+}
+
+bool isNewLoss(const Finding &finding, std::span<const Finding> before)
+{
+    return finding.kind->isLoss &&
+           std::none_of(before.begin(), before.end(),
+                        [&finding](const Finding &other) { return isSameVerdict(finding, other); });
+}
+
 /// What takes too long to be asked of each edit is not.
 bool judges(const Stage &stage)
 {
@@ -121,7 +143,8 @@ bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after)
                        [&](const auto &of) { return !(burdenOf(was, of.first) < of.second); }) &&
            std::all_of(after.begin(), after.end(), [&](const Finding &finding) {
                const std::optional<Burden> known = burdenOfSame(before, finding);
-               return !known || !(*known < *burdenOfSame(after, finding));
+               return !isNewLoss(finding, before) && !isNearer(finding, before) &&
+                      (!known || !(*known < *burdenOfSame(after, finding)));
            });
 }
 

@@ -171,6 +171,11 @@ Message belowGroundSentence(const Finding &finding, const Model &model)
             {namesOf(model, finding.sections), lengthOf(finding.details<Footing>()->height)}};
 }
 
+double tipAngleOf(const Finding &finding)
+{
+    return finding.details<Footing>()->tipAngle;
+}
+
 ProblemLook footingLook(const Finding &finding)
 {
     const Footing &footing = *finding.details<Footing>();
@@ -264,9 +269,17 @@ const ActionKind kDropToGround{plainWords<kDropText>, dropped};
 const FindingKind kStands{
     "stands", Subject::Stability, FFF_TEXT("Checks", "Stands"), standsSentence,
     nullptr,  footingLook};
-const FindingKind kUnsteady{
-    "unsteady", Subject::Stability, FFF_TEXT("Checks", "Tips easily"), unsteadySentence,
-    broaden,    footingLook};
+const FindingKind kUnsteady{"unsteady",
+                            Subject::Stability,
+                            FFF_TEXT("Checks", "Tips easily"),
+                            unsteadySentence,
+                            broaden,
+                            footingLook,
+                            nullptr,
+                            nullptr,
+                            {},
+                            nullptr,
+                            tipAngleOf};
 const FindingKind kTopples{
     "topples",
     Subject::Stability,

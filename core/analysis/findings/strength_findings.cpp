@@ -390,8 +390,11 @@ const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Check
 const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),
                               pulledSentence, turnSlits,         nullptr,
                               nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it.")};
-const FindingKind kWeightBeside{"weightBeside", Subject::Strength,
-                                FFF_TEXT("Checks", "Off the material"), besideSentence};
+const FindingKind kWeightBeside{
+    "weightBeside", Subject::Strength, FFF_TEXT("Checks", "Off the material"),
+    besideSentence, nullptr,           nullptr,
+    nullptr,        nullptr,           {},
+    nullptr,        nullptr,           true};
 
 std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &strength,
                                       const BearableMass &bearable, const StrengthRules &rules)

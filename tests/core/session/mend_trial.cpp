@@ -1,5 +1,7 @@
 #include "tests/core/session/mend_trial.h"
 
+#include "core/analysis/findings/standing.h"
+#include "core/analysis/findings/strength_findings.h"
 #include "core/io/fff_file.h"
 #include "core/session/message_text.h"
 #include "core/session/session.h"
@@ -75,6 +77,20 @@ QString worseOf(const std::vector<Finding> &before, const std::vector<Finding> &
         if (seenOf(after, subject) > seenOf(before, subject) ||
             faultIn(after, subject) > faultIn(before, subject))
             return QStringLiteral("it is worse by subject %1").arg(static_cast<int>(subject));
+    for (const Finding &finding : after) {
+        const Footing *is = finding.is(kUnsteady) ? finding.details<Footing>() : nullptr;
+        for (const Finding &known : before)
+            if (is && known.is(kUnsteady) &&
+                is->tipAngle < 0.89 * known.details<Footing>()->tipAngle)
+                return QStringLiteral("it tips more easily");
+    }
+    // Weights that lie on material stay there.
+    const auto beside = [](const std::vector<Finding> &all) {
+        return std::count_if(all.begin(), all.end(),
+                             [](const Finding &finding) { return finding.is(kWeightBeside); });
+    };
+    if (beside(after) > beside(before))
+        return QStringLiteral("a weight is off the material");
     // Of the very same sections: what was in two pieces is not in three.
     const auto was = seenOfEach(before);
     for (const auto &[key, is] : seenOfEach(after))
