@@ -5,7 +5,6 @@
 #include "ui/view/stress_colours.h"
 
 #include <array>
-#include <cstddef>
 #include <utility>
 
 namespace fff::ui {
@@ -13,11 +12,6 @@ namespace fff::ui {
 namespace {
 
 constexpr GLuint kShare = kFirstMotion + 3; // attribute
-
-const void *inVertex(std::size_t bytes)
-{
-    return reinterpret_cast<const void *>(bytes);
-}
 
 } // namespace
 
@@ -75,28 +69,18 @@ FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field,
     buffers.cut = section.cut;
     buffers.shape = section.shape;
     buffers.count = static_cast<GLsizei>(mesh.triangles.size());
-    const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
-        m_gl.glGenBuffers(1, &buffer);
-        m_gl.glBindBuffer(target, buffer);
-        m_gl.glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])),
-                          data.data(), GL_STATIC_DRAW);
-    };
     m_gl.glGenVertexArrays(1, &buffers.array);
     m_gl.glBindVertexArray(buffers.array);
-    fill(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles, mesh.triangles);
-    fill(GL_ARRAY_BUFFER, buffers.vertices, mesh.vertices);
-    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SlabVertex),
-                               inVertex(offsetof(SlabVertex, position)));
-    m_gl.glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, sizeof(SlabVertex),
-                               inVertex(offsetof(SlabVertex, normal)));
+    fillBuffer(m_gl, GL_ELEMENT_ARRAY_BUFFER, buffers.triangles, mesh.triangles);
+    fillBuffer(m_gl, GL_ARRAY_BUFFER, buffers.vertices, mesh.vertices);
+    setSlabVertices(m_gl);
     if (!mesh.motions.empty()) {
-        fill(GL_ARRAY_BUFFER, buffers.motions, mesh.motions);
+        fillBuffer(m_gl, GL_ARRAY_BUFFER, buffers.motions, mesh.motions);
         setMotions(m_gl);
     }
-    fill(GL_ARRAY_BUFFER, buffers.shares, mesh.shares);
+    fillBuffer(m_gl, GL_ARRAY_BUFFER, buffers.shares, mesh.shares);
     m_gl.glVertexAttribPointer(kShare, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
-    for (const GLuint attribute : {0u, 1u, kShare})
-        m_gl.glEnableVertexAttribArray(attribute);
+    m_gl.glEnableVertexAttribArray(kShare);
     m_gl.glBindVertexArray(0);
     return buffers;
 }

@@ -2,29 +2,7 @@
 
 #include "ui/view/bent_slab.h"
 
-#include <cstddef>
-
 namespace fff::ui {
-
-namespace {
-
-const void *offset(std::size_t bytes)
-{
-    return reinterpret_cast<const void *>(bytes);
-}
-
-} // namespace
-
-void setMotions(Gl &gl)
-{
-    const std::size_t at[] = {offsetof(VertexMotion, by), offsetof(VertexMotion, turn),
-                              offsetof(VertexMotion, turnMore)};
-    for (GLuint i = 0; i < 3; ++i) {
-        gl.glVertexAttribPointer(kFirstMotion + i, 3, GL_FLOAT, GL_FALSE, sizeof(VertexMotion),
-                                 offset(at[i]));
-        gl.glEnableVertexAttribArray(kFirstMotion + i);
-    }
-}
 
 SlabBuffers::~SlabBuffers()
 {
@@ -68,25 +46,13 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     slab.bent = section.bent;
     slab.coverStarts = mesh.coverStarts;
     ++m_uploadCount;
-    const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
-        m_gl.glGenBuffers(1, &buffer);
-        m_gl.glBindBuffer(target, buffer);
-        m_gl.glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])),
-                          data.data(), GL_STATIC_DRAW);
-    };
-
     m_gl.glGenVertexArrays(1, &slab.fillArray);
     m_gl.glBindVertexArray(slab.fillArray);
-    fill(GL_ARRAY_BUFFER, slab.vertices, mesh.vertices);
-    fill(GL_ELEMENT_ARRAY_BUFFER, slab.triangles, mesh.triangles);
-    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SlabVertex),
-                               offset(offsetof(SlabVertex, position)));
-    m_gl.glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, sizeof(SlabVertex),
-                               offset(offsetof(SlabVertex, normal)));
-    m_gl.glEnableVertexAttribArray(0);
-    m_gl.glEnableVertexAttribArray(1);
+    fillBuffer(m_gl, GL_ELEMENT_ARRAY_BUFFER, slab.triangles, mesh.triangles);
+    fillBuffer(m_gl, GL_ARRAY_BUFFER, slab.vertices, mesh.vertices);
+    setSlabVertices(m_gl);
     if (section.bent) {
-        fill(GL_ARRAY_BUFFER, slab.motions, section.bent->motions);
+        fillBuffer(m_gl, GL_ARRAY_BUFFER, slab.motions, section.bent->motions);
         setMotions(m_gl);
     }
 

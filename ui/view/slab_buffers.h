@@ -3,18 +3,13 @@
 #pragma once
 
 #include "ui/view/edge_array.h"
-#include "ui/view/gl.h"
 #include "ui/view/scene.h"
+#include "ui/view/slab_vertices.h"
 
 #include <map>
 #include <utility>
 
 namespace fff::ui {
-
-/// Attributes from here on say how a vertex moves; those of what stays are off, and 0.
-inline constexpr GLuint kFirstMotion = 2;
-/// Of the buffer that is bound, to the array that is: VertexMotion after VertexMotion.
-void setMotions(Gl &gl);
 
 class SlabBuffers
 {

@@ -37,6 +37,7 @@ target_sources(fff_view PRIVATE
     view/slab_buffers.cpp
     view/slab_mesh.cpp
     view/slab_painter.cpp
+    view/slab_vertices.cpp
     view/slit_covers.cpp
     view/step_marks.cpp
     view/step_pictures.cpp
