@@ -100,8 +100,9 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
 {
     const auto side = [&](int section) {
         const auto i = static_cast<std::size_t>(section);
-        return GripSide{assembly.slits[i], *cuts[i], model.section(i)->frame,
-                        model.stockOf(i).thickness};
+        const Stock &stock = model.stockOf(i);
+        return GripSide{assembly.slits[i], *cuts[i], model.section(i)->frame, stock.thickness,
+                        stock.clearance};
     };
     const std::vector<int> known = knownJoints(Untouched(model, assembly, cuts, before, places),
                                                assembly.joints, before.assembly.joints, places);

@@ -290,7 +290,7 @@ std::optional<LooseSlit> addHeld(JointKind kind, AlongAxis &host, AlongAxis &gue
                                  Held &held)
 {
     std::optional<LooseSlit> loose;
-    const double needed = gripDepth(guest.side().thickness);
+    const double needed = gripDepth(guest.side().thickness, host.side().clearance);
     for (std::size_t slit = 0; slit < host.slits().size(); ++slit) {
         if (!isHolding(host.slits()[slit]))
             continue;
@@ -320,9 +320,11 @@ bool isOneEnough(JointKind kind)
 
 } // namespace
 
-double gripDepth(double thickness)
+double gripDepth(double thickness, double play)
 {
-    return std::max(kLeastGripDepth, std::sqrt(2.0 * kGripLoss * thickness));
+    const double clearance = std::max(play, 0.0);
+    return std::max(kLeastGripDepth,
+                    std::sqrt(2.0 * (kGripLoss + clearance) * thickness + clearance * clearance));
 }
 
 struct GripFinder::Memory
@@ -348,7 +350,8 @@ JointGrips GripFinder::find(const Joint &joint, const GripSide &a, const GripSid
     alongB.set(joint, b);
     const std::optional<LooseSlit> looseA = addHeld(joint.kind, alongA, alongB, walls, inA);
     std::optional<LooseSlit> looseB = addHeld(joint.kind, alongB, alongA, walls, inB);
-    const double neededInA = gripDepth(b.thickness), neededInB = gripDepth(a.thickness);
+    const double neededInA = gripDepth(b.thickness, a.clearance);
+    const double neededInB = gripDepth(a.thickness, b.clearance);
     for (std::size_t i = 0; i < countA; ++i) {
         for (std::size_t k = 0; k < countB; ++k) {
             const Grip grip{static_cast<int>(i), static_cast<int>(k), inA.at(i, k), inB.at(k, i)};

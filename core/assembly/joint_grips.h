@@ -15,10 +15,11 @@ namespace fff {
 inline constexpr double kLeastGripDepth = 0.5;
 /// mm that cutting may take off between a wall and what it holds.
 inline constexpr double kGripLoss = 0.05;
-/// The same for what is `thickness` mm thick, of which more has to be in: tilted, a plate of
-/// thickness t that is in by d reaches at most √(t² + d²) ≈ t + d²/2t from wall to wall, and turns
-/// out where that is not more than cutting took off.
-double gripDepth(double thickness);
+/// The same for what is `thickness` mm thick in a slit with so much play (mm, below 0: none), of
+/// which more has to be in: tilted, a plate of thickness t that is in by d reaches at most
+/// √(t² + d²) from wall to wall, and turns out where that is not more than the slit is wide, with
+/// what cutting took off.
+double gripDepth(double thickness, double play);
 /// So far from its slit, mm, a wall has to have material; less burns away.
 inline constexpr double kGripWall = 0.05;
 /// By so much, mm, what is in a slit may move across it before a wall of an oblique slit stops it.
@@ -71,6 +72,7 @@ struct GripSide
     const CutSection &cut; // with these
     const Frame &frame;
     double thickness = 3.0; // mm
+    double clearance = 0.0; // mm, of its slits
 };
 
 /// What the slits of a joint hold.

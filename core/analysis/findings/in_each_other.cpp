@@ -86,6 +86,16 @@ double angleBetween(const Model &model, const std::pair<int, int> &sections)
     return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
+/// What is so deep in another one cannot be made; a little is filed away. What ends in the middle
+/// of the other's thickness does so but for rounding.
+Severity severityOf(double depth, const Model &model, const std::pair<int, int> &sections)
+{
+    const double thinner =
+        std::min(model.stockOf(static_cast<std::size_t>(sections.first)).thickness,
+                 model.stockOf(static_cast<std::size_t>(sections.second)).thickness);
+    return depth > 0.5 * thinner + kTouchingDepth ? Severity::Error : Severity::Warning;
+}
+
 /// Of all pieces of two sections the deepest.
 std::map<std::pair<int, int>, const Interpenetration *> deepestOf(const ModelPlan &plan)
 {
@@ -123,12 +133,12 @@ void findJointFaults(const Looked &at, std::vector<Finding> &found)
         const auto longest = std::max_element(
             crossing.overlaps.begin(), crossing.overlaps.end(),
             [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
-        Finding finding =
-            collides
-                ? makeFinding(kNoSlit, Severity::Warning,
-                              MissingSlit{longest->to - longest->from, whyNoSlit(model, joint)})
-                : makeFinding(kShallowAngle, Severity::Warning,
-                              ShallowAngle{crossing.angle, at.rules.shallowAngle});
+        const double length = longest->to - longest->from;
+        Finding finding = collides
+                              ? makeFinding(kNoSlit, severityOf(length, model, {joint.a, joint.b}),
+                                            MissingSlit{length, whyNoSlit(model, joint)})
+                              : makeFinding(kShallowAngle, Severity::Warning,
+                                            ShallowAngle{crossing.angle, at.rules.shallowAngle});
         finding.sections = model.refs({joint.a, joint.b});
         finding.joint = JointRef(finding.sections[0], finding.sections[1]);
         finding.at = crossing.axis.at(0.5 * (longest->from + longest->to));
@@ -147,11 +157,7 @@ void findInterferences(const LookedAtPlan &at, std::vector<Finding> &found)
             continue;
         const double angle = angleBetween(model, pair);
         const bool isTooShallow = !joint && angle > kPracticallyParallel && angle < kMinJointAngle;
-        // What is deep in another one cannot be made; a little is filed away.
-        const double thinner =
-            std::min(model.stockOf(static_cast<std::size_t>(pair.first)).thickness,
-                     model.stockOf(static_cast<std::size_t>(pair.second)).thickness);
-        const Severity severity = how->depth > 0.5 * thinner ? Severity::Error : Severity::Warning;
+        const Severity severity = severityOf(how->depth, model, pair);
         // Too shallow an angle is why there is no slit.
         Finding finding =
             isTooShallow

@@ -18,10 +18,17 @@ bool isClosedBy(double kerf, double width);
 struct NarrowSlit
 {
     double width = 0.0;
-    double tool = 0.0; // its diameter, or the kerf
+    double tool = 0.0;     // its diameter, or the kerf
+    bool isClosed = false; // by the kerf: there is no slit
+};
+/// Of kTightSlits, mm.
+struct TightSlits
+{
+    double by = 0.0;    // narrower than what goes into them
+    double bumps = 0.0; // height of one; 0: there are none
 };
 
-/// A negative clearance of more than this, mm, presses harder than any material gives; a positive
+/// What is narrower by more than this, mm, presses harder than any material gives; a positive
 /// one of more than that leaves what is in a slit to rattle and lean.
 inline constexpr double kTightest = 0.3, kWidest = 0.5;
 
@@ -29,9 +36,9 @@ extern const FindingKind kTightSlits, kWideSlits; // of a stock
 extern const FindingKind kNarrowSlit;
 extern const ActionKind kWidenSlits; // of the stock of its sections
 
-/// One a stock, in their order, about the sections that have such slits, at the narrowest: an error
-/// of those that its kerf closes, or else, where its slits end round, a warning of those that are
-/// narrower than its tool.
+/// One a stock, in their order, about the sections that have such slits, at the narrowest: of those
+/// that its kerf closes, or else, where its slits end round, of those that are narrower than its
+/// tool; or else of all that are too tight.
 void findNarrowSlits(const Looked &at, std::vector<Finding> &found);
 
 } // namespace fff

@@ -264,7 +264,7 @@ void TestChecks::jointsThatCannotSlide()
     QCOMPARE(held.assembly.joints[0].kind, JointKind::None);
     const std::vector<Finding> found = checks(held);
     QVERIFY(find(found, kNoSlit));
-    QCOMPARE(find(found, kNoSlit)->severity, Severity::Warning);
+    QCOMPARE(find(found, kNoSlit)->severity, Severity::Error); // nobody can make that
     QCOMPARE(find(found, kNoSlit)->details<MissingSlit>()->overlap, 16.0);
     // They touch, and yet nothing holds them together.
     QVERIFY(

@@ -5,6 +5,7 @@
 #include "core/analysis/findings/loose_joints.h"
 #include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/findings/moving_slits.h"
+#include "core/analysis/findings/narrow_slits.h"
 #include "core/analysis/findings/touching_pairs.h"
 #include "core/analysis/findings/turning_square.h"
 #include "core/analysis/findings/waste.h"
@@ -119,6 +120,7 @@ private Q_SLOTS:
     void chipsAreWaste();
     void whatOnlyTouchesIsOneLine();
     void pressedFarTooTight();
+    void playAsksForDepth();
     void partsInOnePlace();
 };
 
@@ -294,7 +296,38 @@ void TestLoosePieces::pressedFarTooTight()
     stock.clearance = -0.2;
     QVERIFY(!fff::test::find(judged(*setStock(document, stock)).all, kTightSlits));
     stock.clearance = -2.0;
+    const Judged tight = judged(*setStock(document, stock));
+    QVERIFY(fff::test::find(tight.all, kTightSlits));
+    QCOMPARE(fff::test::find(tight.all, kTightSlits)->severity, Severity::Error);
+    // Bumps leave as little room.
+    stock.clearance = 0.0;
+    stock.bumps = 0.1;
+    QVERIFY(!fff::test::find(judged(*setStock(document, stock)).all, kTightSlits));
+    stock.bumps = 1.0;
     QVERIFY(fff::test::find(judged(*setStock(document, stock)).all, kTightSlits));
+}
+
+// Wrong: a board that lies 1 mm deep in a groove with 0.2 mm of play turned out of it, and was
+// called held.
+void TestLoosePieces::playAsksForDepth()
+{
+    // Tilted about one of its corners, by trying all angles: is it ever as wide as the slit?
+    const auto staysIn = [](double thickness, double depth, double width) {
+        for (double angle = 0.0; angle < 1.5; angle += 1e-4)
+            if (thickness * std::cos(angle) + depth * std::sin(angle) >= width)
+                return true;
+        return false;
+    };
+    constexpr double kBurnt = 0.05; // mm, taken off both
+    for (const double thickness : {1.0, 3.0, 12.0})
+        for (const double clearance : {0.0, 0.1, 0.3}) {
+            const double needed = gripDepth(thickness, clearance);
+            const double width = thickness + clearance + kBurnt;
+            QVERIFY(staysIn(thickness, 1.03 * needed, width));
+            if (needed > kLeastGripDepth)
+                QVERIFY(!staysIn(thickness, 0.97 * needed, width));
+        }
+    QCOMPARE(gripDepth(3.0, -0.2), gripDepth(3.0, 0.0)); // what presses has no play
 }
 
 // Wrong: parts that take up one place are said to go together.

@@ -184,7 +184,7 @@ void TestSlitEnds::slitNarrowerThanItsTool()
         const std::vector<Finding> found = narrowSlits(analysis);
         QCOMPARE(found.size(), std::size_t(1));
         QVERIFY(found[0].is(kNarrowSlit));
-        QCOMPARE(found[0].severity, Severity::Warning);
+        QCOMPARE(found[0].severity, Severity::Error); // no such tool goes in
         QCOMPARE(found[0].sections.size(), std::size_t(5));
         QVERIFY(found[0].at);
         QCOMPARE(QByteArray(found[0].kind->name), QByteArray("narrowSlit"));
