@@ -37,6 +37,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/strength_judge.cpp
     analysis/findings/strength_findings.cpp
     analysis/findings/strengthening.cpp
+    analysis/findings/thin_necks.cpp
     analysis/findings/thin_webs.cpp
     analysis/findings/total_mass.cpp
     analysis/findings/touching_pairs.cpp

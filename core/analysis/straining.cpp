@@ -353,6 +353,9 @@ BodyStrength Straining::worstOf(int index,
     body.isWorkedOut = true;
     const std::shared_ptr<const SectionCuts> kept = cutsOf(index);
     const SectionCuts &cuts = *kept;
+    body.isPinched = cuts.isPinched();
+    if (const CutSample *sample = cuts.thinnest())
+        body.thinnest = sample->neck;
     const SheetMaterial sheet = sheetOf(index);
     const CutShares &shares = sharesOf(index, kept, *cases.front(), sheet.thickness);
     std::deque<SampleStresses> stresses; // by cases

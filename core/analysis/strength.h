@@ -33,6 +33,8 @@ struct BodyStrength
                                             // where nothing strains it
     /// stress / strength; 0 where that is not known.
     double neckUse = 0.0, cornerUse = 0.0;
+    bool isPinched = false;       // it hangs together by less than can be cut
+    std::optional<Neck> thinnest; // the thinnest that parts it in two
     std::vector<NeckStress> lines; // all that are strained noticeably, of each the worst; where the
                                    // strength is known
 };

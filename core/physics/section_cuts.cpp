@@ -1,6 +1,7 @@
 #include "core/physics/section_cuts.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/segment_distance.h"
 #include "core/physics/parallel_lines.h"
 
 #include <algorithm>
@@ -264,6 +265,36 @@ void SampleMaker::addChord(CutChord &&found, SampleKind kind)
     m_cuts.push_back(std::move(found.cut));
 }
 
+/// What hangs on a neck is a piece of its own from so many mm² on; less is the end of a point.
+constexpr double kPieceArea = 50.0;
+
+bool isAtSlit(const PieceShape &shape, const Neck &neck)
+{
+    return std::any_of(shape.slits.begin(), shape.slits.end(), [&neck](const SlitLine &slit) {
+        const Vec2 mouth = slit.root + slit.depth * slit.opening;
+        const double reach = 0.5 * slit.width + kCornerReach;
+        return std::min(distanceToSegment(neck.begin, slit.root, mouth),
+                        distanceToSegment(neck.end, slit.root, mouth)) < reach;
+    });
+}
+
+/// Of those that have nothing to do with slits. −1: there is none.
+int thinnestOf(const PieceShape &shape, const std::vector<LineCut> &cuts,
+               const std::vector<CutSample> &samples)
+{
+    int thinnest = -1;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Neck &neck = samples[i].neck;
+        const LineCut &cut = cuts[static_cast<std::size_t>(samples[i].cut)];
+        if (cut.chords.size() == 1 && std::min(cut.minus.area, cut.plus.area) >= kPieceArea &&
+            (thinnest < 0 ||
+             neck.length < samples[static_cast<std::size_t>(thinnest)].neck.length) &&
+            !isAtSlit(shape, neck))
+            thinnest = static_cast<int>(i);
+    }
+    return thinnest;
+}
+
 } // namespace
 
 SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_shape(std::move(shape))
@@ -280,6 +311,7 @@ SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_sha
     for (const ReentrantCorner &corner : m_shape.corners)
         maker.addLigament(corner);
     m_isPinched = maker.isPinched();
+    m_thinnest = thinnestOf(m_shape, m_cuts, m_samples);
 }
 
 } // namespace fff

@@ -50,12 +50,19 @@ public:
     double spacing() const { return m_spacing; } // mm
     /// Somewhere it hangs together by less than 0.05 mm, or touches itself: no cut is made there.
     bool isPinched() const { return m_isPinched; }
+    /// Of the samples away from slits that part it into two pieces worth the name the shortest;
+    /// null without one.
+    const CutSample *thinnest() const
+    {
+        return m_thinnest < 0 ? nullptr : &m_samples[static_cast<std::size_t>(m_thinnest)];
+    }
 
 private:
     PieceShape m_shape;
     std::vector<LineCut> m_cuts;
     std::vector<CutSample> m_samples;
     double m_spacing = 1.0;
+    int m_thinnest = -1;
     bool m_isPinched = false;
 };
 

@@ -3,6 +3,7 @@
 #include "core/analysis/finding_action.h"
 #include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/strengthening.h"
+#include "core/analysis/findings/thin_necks.h"
 #include "core/assembly/joint_editing.h"
 
 #include <algorithm>
@@ -189,8 +190,11 @@ Message movesSentence(const Finding &finding, const Model &model)
             {namesOf(model, finding.sections)}};
 }
 
+constexpr double kLeastPull = 0.05; // N: less is none when it is said with a digit
+
 Message pulledSentence(const Finding &finding, const Model &model)
 {
+    const double force = finding.details<PulledJoint>()->force;
     const bool isApart = finding.severity == Severity::Error;
     //: %3 is a number of newtons
     return {
@@ -199,7 +203,7 @@ Message pulledSentence(const Finding &finding, const Model &model)
             : FFF_TEXT("Checks", "Pulled at. The joint of %1 and %2 is pulled with %3 N; the "
                                  "others hold without it."),
         {nameAt(finding, model, 0), nameAt(finding, model, 1),
-         Decimal{finding.details<PulledJoint>()->force, 1}}};
+         Decimal{force, force < kLeastPull ? 3 : 1}}};
 }
 
 Message besideSentence(const Finding &finding, const Model &model)
@@ -261,7 +265,13 @@ void findPulled(const Analysis &analysis, const Strength &strength, std::vector<
         if (!isNew && equilibrium.links[i].asked > equilibrium.links[known->second].asked)
             known->second = i;
     }
+    const bool isAnyStrong = std::any_of(strongest.begin(), strongest.end(), [&](const auto &of) {
+        return equilibrium.links[of.second].asked >= kLeastPull;
+    });
     for (const auto &[joint, link] : strongest) {
+        // What is pulled with nothing is said where nothing else tells why it comes apart.
+        if (equilibrium.links[link].asked < kLeastPull && (isAnyStrong || !isApart))
+            continue;
         const Link &pulled = strength.made.structure.links[link];
         // Where all of it stands without the joint, that is for whoever wants to know.
         Finding finding = makeFinding(kPulledOpen, isApart ? Severity::Error : Severity::Note,
@@ -336,10 +346,19 @@ void findVerdict(const Analysis &analysis, const Strength &strength, const Beara
         return about(kNotRated, sectionsWhere(analysis, strength, [](const BodyStrength &body) {
                          return !body.strength;
                      }));
-    case HoldVerdict::NotWorkedOut:
-        return about(kStrengthUnknown,
-                     sectionsWhere(analysis, strength,
-                                   [](const BodyStrength &body) { return !body.isWorkedOut; }));
+    case HoldVerdict::NotWorkedOut: {
+        // Of what hangs by nothing it is known.
+        const auto isLost = [](const BodyStrength &body) {
+            return !body.isWorkedOut && !body.isPinched;
+        };
+        std::vector<SectionRef> lost = sectionsWhere(analysis, strength, isLost);
+        const bool isAnyPinched =
+            std::any_of(strength.bodies.begin(), strength.bodies.end(),
+                        [](const BodyStrength &body) { return body.isPinched; });
+        if (!lost.empty() || !isAnyPinched)
+            about(kStrengthUnknown, std::move(lost));
+        return;
+    }
     case HoldVerdict::PullsOut:
     case HoldVerdict::Unstable:
         return;
@@ -404,6 +423,7 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
     findMoving(analysis, strength, found);
     findPushedOver(strength, found);
     findPulled(analysis, strength, found);
+    findThinNecks(analysis, strength, found);
     for (const PlacedLoad &load : strength.made.besideLoads) {
         Finding finding = makeFinding(kWeightBeside, Severity::Note);
         finding.sections = {analysis.model.ref(static_cast<std::size_t>(load.section))};

@@ -5,6 +5,7 @@
 #include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/findings/strengthening.h"
+#include "core/analysis/findings/thin_necks.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/stress_lines.h"
 #include "core/io/document_file.h"
@@ -14,9 +15,11 @@
 #include "core/session/check_list.h"
 #include "core/session/finding_text.h"
 #include "core/session/session.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace fff;
@@ -94,6 +97,7 @@ private Q_SLOTS:
     void whatFallsHasNoVerdict();
     void linesAreFewAndInTheMaterial();
     void ofNothingNothingIsSaid();
+    void hangsByAThread();
 };
 
 // Wrong: a badge that says nothing of the glass, or a number that is not that of the weights.
@@ -366,6 +370,35 @@ void TestStrengthFindings::whatIsPushedOverGetsABase()
                            : box.min.x() < -25.0 && box.max.x() == 25.0);
     }
     QVERIFY(mendsOf({0.0, 15.0, 0.0}).empty());
+}
+
+// Wrong: of a piece that hung on 0.01 mm it was said that its strength is not known, and no more.
+void TestStrengthFindings::hangsByAThread()
+{
+    const auto found = [](double neck) {
+        // Two squares, one over the other, with a waist between them.
+        const Polygon outline{{-30, 0}, {30, 0},   {30, 30},  {0.5 * neck, 32},  {30, 34},
+                              {30, 64}, {-30, 64}, {-30, 34}, {-0.5 * neck, 32}, {-30, 30}};
+        return Judged(withSection(withSection(newDocument(), polygonShape(outline), front()),
+                                  plateOf(-30, 0, 30, 20), side()))
+            .strength();
+    };
+    const auto of = [](const std::vector<Finding> &all, const FindingKind &kind) {
+        const auto one = std::find_if(all.begin(), all.end(),
+                                      [&kind](const Finding &finding) { return finding.is(kind); });
+        return one == all.end() ? nullptr : &*one;
+    };
+    for (const double neck : {0.01, 0.04, 0.08}) {
+        const auto all = found(neck);
+        const Finding *apart = of(all, kHangsByNothing);
+        QVERIFY(apart);
+        QCOMPARE(apart->severity, Severity::Error);
+    }
+    const auto thin = found(0.3), sound = found(4.0);
+    QVERIFY(of(thin, kThinNeck));
+    QVERIFY(!of(thin, kHangsByNothing));
+    QVERIFY(!of(sound, kThinNeck));
+    QVERIFY(!of(sound, kHangsByNothing));
 }
 
 FFF_TEST(TestStrengthFindings)
