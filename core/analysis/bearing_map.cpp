@@ -111,6 +111,10 @@ Result<BearingMap> bearingMap(AnalysisPointer analysis, const SectionRef &sectio
         map.obstacle = BearingMap::Obstacle::Falls;
         return map;
     }
+    if (probe.breaks()) {
+        map.obstacle = BearingMap::Obstacle::Breaks;
+        return map;
+    }
     std::vector<MapPart> parts;
     for (int body = bodies.firstOf(index); body < bodies.firstOf(index) + bodies.countOf(index);
          ++body) {
@@ -168,20 +172,25 @@ std::optional<Bearing> bearingAt(const BearingMap &map, const Vec2 &point)
 
 Message bearingText(const Bearing &bearing, const Model &model)
 {
+    const bool isLoaded = !model.document.loads.empty(); // by what it bears besides
     switch (bearing.end) {
     case BearingEnd::Cracks:
         if (!bearing.cracks)
             break;
         //: %1 is a mass, %2 a section, %3 a place such as "beside its slit for Body"
-        return {FFF_TEXT("Checks", "Bears %1 here, then %2 cracks %3."),
+        return {isLoaded ? FFF_TEXT("Checks", "Bears %1 more here, then %2 cracks %3.")
+                         : FFF_TEXT("Checks", "Bears %1 here, then %2 cracks %3."),
                 {massOf(bearing.mass), nameOf(model, bearing.cracks->section),
                  spotText(*bearing.cracks, model)}};
     case BearingEnd::Falls:
         //: %1 is a mass
-        return {FFF_TEXT("Checks", "Bears %1 here, then it falls over."), {massOf(bearing.mass)}};
+        return {isLoaded ? FFF_TEXT("Checks", "Bears %1 more here, then it falls over.")
+                         : FFF_TEXT("Checks", "Bears %1 here, then it falls over."),
+                {massOf(bearing.mass)}};
     case BearingEnd::PullsOut:
         //: %1 is a mass
-        return {FFF_TEXT("Checks", "Bears %1 here, then a joint is pulled open."),
+        return {isLoaded ? FFF_TEXT("Checks", "Bears %1 more here, then a joint is pulled open.")
+                         : FFF_TEXT("Checks", "Bears %1 here, then a joint is pulled open."),
                 {massOf(bearing.mass)}};
     case BearingEnd::BearsAll:
         //: %1 is a mass

@@ -24,6 +24,7 @@ struct BearingMap
         None,
         NotThere, // the section has no material, or is no more
         Falls,    // the model does not stand as it is
+        Breaks,   // nor does it bear what is on it already
         NotRated, // of no sheet it is known what it bears
     };
     Obstacle obstacle = Obstacle::None;

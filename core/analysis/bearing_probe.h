@@ -40,6 +40,8 @@ public:
 
     /// Without another mass. Where it does not hold itself, nothing can be said of more.
     bool stands() const { return m_stands; }
+    /// Nor where it breaks as it is.
+    bool breaks() const { return m_stands && m_bare.use >= 1.0; }
 
     /// point  of the body, frame coordinates, mm
     /// guess  kg, above 0: about what it may be

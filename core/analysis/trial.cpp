@@ -82,6 +82,16 @@ bool isNewLoss(const Finding &finding, std::span<const Finding> before)
                         [&finding](const Finding &other) { return isSameVerdict(finding, other); });
 }
 
+/// Nobody could say before: of what does not stand it is not known whether it holds. What comes out
+/// then was so all along.
+bool wasSilent(Subject subject, std::span<const Finding> before)
+{
+    return subject == Subject::Strength &&
+           std::none_of(before.begin(), before.end(), [subject](const Finding &finding) {
+               return finding.subject() == subject && finding.severity != Severity::Note;
+           });
+}
+
 /// What takes too long to be asked of each edit is not.
 bool judges(const Stage &stage)
 {
@@ -140,7 +150,10 @@ bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after)
 {
     const std::map<Matter, Burden> was = burdensOf(before), is = burdensOf(after);
     return std::all_of(is.begin(), is.end(),
-                       [&](const auto &of) { return !(burdenOf(was, of.first) < of.second); }) &&
+                       [&](const auto &of) {
+                           return !(burdenOf(was, of.first) < of.second) ||
+                                  wasSilent(of.first.first, before);
+                       }) &&
            std::all_of(after.begin(), after.end(), [&](const Finding &finding) {
                const std::optional<Burden> known = burdenOfSame(before, finding);
                return !isNewLoss(finding, before) && !isNearer(finding, before) &&

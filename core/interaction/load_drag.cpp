@@ -44,7 +44,8 @@ std::optional<Hit> sectionUnder(const Vec2 &position, const GestureContext &cont
 }
 
 LoadDrag::LoadDrag(const LoadAt &at, const Load &load)
-    : m_load(load), m_on(at.section), m_at(at.position), m_push(at.push), m_isTip(at.isTip)
+    : m_load(load), m_on(at.section), m_at(at.position), m_push(at.push), m_grip(at.grip),
+      m_isTip(at.isTip)
 {
 }
 
@@ -56,7 +57,8 @@ LoadDrag::LoadDrag(const Load &load)
 
 void LoadDrag::follow(const Vec2 &position, bool snaps, const GestureContext &context)
 {
-    m_isTip ? turn(position, snaps, context) : slide(position, context);
+    const Vec2 held = position + m_grip;
+    m_isTip ? turn(held, snaps, context) : slide(held, context);
 }
 
 void LoadDrag::slide(const Vec2 &position, const GestureContext &context)

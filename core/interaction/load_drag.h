@@ -44,6 +44,7 @@ private:
     SectionRef m_on;
     Vec2 m_at = Vec2::Zero();
     Vec3 m_push = Vec3::Zero();
+    Vec2 m_grip = Vec2::Zero(); // px, see LoadAt
     bool m_isTip = false;
     bool m_hasMoved = false;
 };

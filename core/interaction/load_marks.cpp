@@ -1,5 +1,7 @@
 #include "core/interaction/load_marks.h"
 
+#include "core/geometry/segment_distance.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +9,9 @@ namespace fff {
 
 namespace {
 
-constexpr double kReach = 12.0; // px
-const Vec2 kAbove(0.0, -22.0);  // px
+constexpr double kReach = 12.0;    // px
+const Vec2 kAbove(0.0, -22.0);     // px
+const Vec2 kHalfLabel(28.0, 10.0); // px: of its words at least so much can be taken hold of
 
 /// An arrow of kUsualForce is kUsualLength long, one of ten times that kPerDecade more.
 constexpr double kUsualForce = 5.0, kUsualLength = 60.0, kPerDecade = 60.0; // N, px
@@ -17,6 +20,12 @@ constexpr double kShortest = 24.0, kLongest = 200.0;                        // p
 const Section &sectionOf(const PlacedLoad &placed, const Model &model)
 {
     return *model.section(static_cast<std::size_t>(placed.section));
+}
+
+/// Of what stands there, world, mm: it is about twice as high as its centre of mass.
+Vec3 topOf(const Load &load, const Vec3 &foot)
+{
+    return foot + 2.0 * load.height * Vec3::UnitY();
 }
 
 /// The tip of its arrow, world, mm.
@@ -58,12 +67,15 @@ std::optional<LoadAt> loadAt(const Vec2 &position, const GestureContext &context
 {
     std::optional<LoadAt> nearest;
     double reach = kReach;
-    const auto look = [&](const Vec3 &at, const LoadAt &load) {
-        const double away = (context.camera.toScreen(at, context.viewport) - position).norm();
-        if (away <= reach) {
-            reach = away;
-            nearest = load;
-        }
+    const auto onScreen = [&](const Vec3 &at) {
+        return context.camera.toScreen(at, context.viewport);
+    };
+    const auto look = [&](double away, const Vec3 &held, LoadAt load) {
+        if (away > reach)
+            return;
+        reach = away;
+        load.grip = onScreen(held) - position;
+        nearest = load;
     };
     for (const PlacedLoad &placed : placedLoads(context.model)) {
         const Section &section = sectionOf(placed, context.model);
@@ -71,10 +83,18 @@ std::optional<LoadAt> loadAt(const Vec2 &position, const GestureContext &context
             continue;
         const Load &load = context.model.document.loads[static_cast<std::size_t>(placed.load)];
         const Vec3 foot = section.frame.toWorld(placed.position);
-        look(foot, {load.id, section.ref(), placed.position, placed.push, false});
-        if (load.isPush())
-            look(tipOf(placed, foot, context),
-                 {load.id, section.ref(), placed.position, placed.push, true});
+        const LoadAt at{load.id, section.ref(), placed.position, placed.push};
+        const Vec2 low = onScreen(foot), high = onScreen(topOf(load, foot));
+        look(distanceToSegment(position, low, high), foot, at);
+        // Marks come before words.
+        if (((position - high - kAbove).cwiseAbs().array() <= kHalfLabel.array()).all())
+            look(kReach, foot, at);
+        if (load.isPush()) {
+            LoadAt tip = at;
+            tip.isTip = true;
+            const Vec3 end = tipOf(placed, foot, context);
+            look((onScreen(end) - position).norm(), end, tip);
+        }
     }
     return nearest;
 }
@@ -94,9 +114,7 @@ void addLoadMark(const Load &load, const PlacedLoad &placed, const Model &model,
 void addLoadWords(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
                   Signs &signs)
 {
-    // Above what stands there, which is about twice as high as its centre of mass.
-    const Vec3 at = sectionOf(placed, model).frame.toWorld(placed.position) +
-                    2.0 * load.height * Vec3::UnitY();
+    const Vec3 at = topOf(load, sectionOf(placed, model).frame.toWorld(placed.position));
     const Quantity amount = load.isPush() ? forceOf(placed.push.norm()) : massOf(load.mass);
     const Message words = load.name.empty()
                               ? Message{Text{nullptr, "%1"}, {amount}}

@@ -16,9 +16,11 @@ struct LoadAt
     Vec2 position = Vec2::Zero(); // there, frame coordinates, mm
     Vec3 push = Vec3::Zero();     // there, N
     bool isTip = false;           // of its arrow
+    Vec2 grip = Vec2::Zero();     // px: from where it is held to its place, or its tip
 };
 
-/// Within reach of the position; nothing where there is none, or its section is hidden.
+/// Within reach of the position, by its mark, by what stands there, or by its words; nothing where
+/// there is none, or its section is hidden.
 std::optional<LoadAt> loadAt(const Vec2 &position, const GestureContext &context);
 
 /// px that the arrow of a push is long, and the push whose arrow is: ten times the force is so much

@@ -12,6 +12,16 @@ const Section &sectionOf(const Hit &hit, const Model &model)
     return *model.section(static_cast<std::size_t>(hit.section));
 }
 
+/// What is put on one and acts on many has to be said.
+std::optional<Hint> carriedNote(const Model &model, const Load &load)
+{
+    const int copies = copiesCarrying(model, load);
+    if (copies == 0)
+        return {};
+    return ofParts(hints::kCarriedByCopies, model.nameOf(load.section),
+                   static_cast<std::size_t>(copies));
+}
+
 /// Into the section, away from the eye.
 Vec3 into(const Section &section, const Camera &camera, double force)
 {
@@ -90,8 +100,11 @@ GestureReply LoadTool::release(GestureContext &context)
     GestureReply reply;
     if (m_use != Use::Pull && m_drag->hasMoved()) {
         Result<Document> next = m_drag->document(context.model.document);
-        if (next && !next->isSame(context.model.document))
+        if (next && !next->isSame(context.model.document)) {
             reply.commit = {m_drag->step(context.model), *std::move(next)};
+            if (m_drag->isNew())
+                reply.note = carriedNote(context.model, m_drag->load());
+        }
     }
     m_drag.reset();
     return reply;

@@ -25,6 +25,11 @@ inline constexpr Text kNoPlaceForWeight =
 inline constexpr Text kNoPlaceForPush =
     FFF_TEXT("Hint", "Nothing to push there: press on a section.");
 //: %1 is the name of a section
+inline constexpr CountedText kCarriedByCopies{
+    FFF_TEXT("Hint", "The copy of %1 carries it, too; <i>Properties</i> can keep it to this one."),
+    FFF_TEXT_OF_MANY("Hint", "%n copies of %1 carry it, too; <i>Properties</i> can keep it to "
+                             "this one.")};
+//: %1 is the name of a section
 inline constexpr Text kWeightBeside =
     FFF_TEXT("Hint", "The weight stays where it hangs: there it would be beside %1.");
 //: %1 is the name of a section

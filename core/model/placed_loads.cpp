@@ -104,6 +104,17 @@ std::vector<PlacedLoad> placedLoads(const Model &model)
     return placed;
 }
 
+int copiesCarrying(const Model &model, const Load &load)
+{
+    int count = 0;
+    const std::vector<Load> one{load};
+    const Sources of = sourcesOf(one);
+    for (std::size_t s = model.drawnCount(); s < model.sectionCount(); ++s)
+        forEachCarried(one, of, *model.section(s),
+                       [&count](int, const Vec2 &, const Vec3 &) { ++count; });
+    return count;
+}
+
 std::vector<Load> carriedLoads(const Document &document, const Section &copy)
 {
     std::vector<Load> carried;

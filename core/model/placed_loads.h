@@ -23,6 +23,9 @@ struct PlacedLoad
 /// operation cut up each piece has its own. O(sections) where there are loads.
 std::vector<PlacedLoad> placedLoads(const Model &model);
 
+/// How many copies of its section carry it, too.
+int copiesCarrying(const Model &model, const Load &load);
+
 /// What a copy carries of what is on its sources, as loads that were put on the copy itself; with
 /// the ids of the loads that they are of.
 std::vector<Load> carriedLoads(const Document &document, const Section &copy);

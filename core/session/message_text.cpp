@@ -19,6 +19,7 @@ struct MessageTexts
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
 
+constexpr double kLeastAngle = 0.01; // degrees: less is said to be none
 constexpr char16_t kThinSpace = u'\u202f';
 // More names than this say less than a number does.
 constexpr std::size_t kMaxNames = 4;
@@ -77,9 +78,7 @@ struct ArgumentText
         case Quantity::Kind::Force:
             return MessageTexts::tr("%1\u202fN").arg(QLocale().toString(quantity.value, 'g', 3));
         case Quantity::Kind::Angle:
-            return QLocale().toString(std::floor(degrees(quantity.value + kSameDirection)), 'f',
-                                      0) +
-                   QStringLiteral("°");
+            return angle(degrees(quantity.value));
         case Quantity::Kind::Percent:
             return QLocale().toString(std::round(100.0 * quantity.value), 'f', 0);
         }
@@ -87,6 +86,14 @@ struct ArgumentText
     }
 
 private:
+    /// Whole degrees; of less than one, what is not nothing.
+    static QString angle(double degrees)
+    {
+        const double whole = std::floor(degrees + fff::degrees(kSameDirection));
+        return (whole == 0.0 && degrees >= kLeastAngle ? QLocale().toString(degrees, 'g', 1)
+                                                       : QLocale().toString(whole, 'f', 0)) +
+               QStringLiteral("°");
+    }
     QString styled(const std::string &name) const
     {
         const QString plain = QString::fromStdString(name);

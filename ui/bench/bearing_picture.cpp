@@ -26,6 +26,8 @@ QString obstacleText(BearingMap::Obstacle obstacle)
         return BearingStateTexts::tr("The section is not there");
     case BearingMap::Obstacle::Falls:
         return BearingStateTexts::tr("It does not stand as it is");
+    case BearingMap::Obstacle::Breaks:
+        return BearingStateTexts::tr("It breaks as it is");
     case BearingMap::Obstacle::NotRated:
         return BearingStateTexts::tr("Strength unknown");
     case BearingMap::Obstacle::None:

@@ -119,7 +119,6 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     m_strong = new QCheckBox;
     connect(m_strong, &QCheckBox::clicked, this, [this](bool on) {
         m_bench.run(QStringLiteral("physics.whereStrong"), {{"on", on ? "true" : "false"}});
-        refreshStrong(); // it may not have been possible
     });
     auto *strong = new EditorRow(tr("Strong where"), "physicsStrong", m_strong, {}, display);
     strong->setToolTip(tr("Colours the selected section by the mass that each place of it bears, "
@@ -338,10 +337,12 @@ void PhysicsDock::refreshStrong()
     const Scheduler &scheduler = m_bench.session().scheduler();
     const std::optional<SectionRef> &section = scheduler.questions().bearing;
     m_strong->setChecked(section.has_value());
+    m_strong->setEnabled(!m_bench.commands().whyNot("physics.whereStrong"));
     m_stopStrong->setVisible(section && scheduler.isRunning(kBearing.name));
     const QString state = bearingState(scheduler);
     if (!section)
-        m_strong->setText(tr("the selected section"));
+        m_strong->setText(m_strong->isEnabled() ? tr("the selected section")
+                                                : tr("select a section"));
     else
         m_strong->setText(state.isEmpty()
                               ? QString::fromStdString(m_bench.session().model().nameOf(*section))

@@ -71,11 +71,22 @@ Severity faultIn(const std::vector<Finding> &all, Subject subject)
     return fault;
 }
 
+bool isSaid(const std::vector<Finding> &all, Subject subject)
+{
+    return std::any_of(all.begin(), all.end(), [subject](const Finding &finding) {
+        return finding.subject() == subject && finding.severity != Severity::Note;
+    });
+}
+
 QString worseOf(const std::vector<Finding> &before, const std::vector<Finding> &after)
 {
+    // Of what did not stand nobody could say whether it holds.
+    const auto isSilent = [&before](Subject subject) {
+        return subject == Subject::Strength && !isSaid(before, subject);
+    };
     for (const Subject subject : kSubjects)
-        if (seenOf(after, subject) > seenOf(before, subject) ||
-            faultIn(after, subject) > faultIn(before, subject))
+        if (!isSilent(subject) && (seenOf(after, subject) > seenOf(before, subject) ||
+                                   faultIn(after, subject) > faultIn(before, subject)))
             return QStringLiteral("it is worse by subject %1").arg(static_cast<int>(subject));
     for (const Finding &finding : after) {
         const Footing *is = finding.is(kUnsteady) ? finding.details<Footing>() : nullptr;
