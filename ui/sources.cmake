@@ -18,6 +18,7 @@ target_sources(fff_ui PRIVATE
     base/translations.cpp
     bench/check_words.cpp
     bench/clipboard.cpp
+    bench/first_sections.cpp
     bench/held.cpp
     bench/hint_text.cpp
     bench/load_words.cpp
@@ -38,6 +39,7 @@ target_sources(fff_ui PRIVATE
     cards/thumbnails.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
+    dialogs/help_window.cpp
     dialogs/key_recorder.cpp
     dialogs/libraries.cpp
     dialogs/settings_dialog.cpp
@@ -125,6 +127,7 @@ target_sources(fff_ui PRIVATE
     window/window_layout.cpp
     window/windows.cpp
 )
+include(${CMAKE_SOURCE_DIR}/resources/help/help.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/licences/licences.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/samples/samples.cmake)

@@ -47,6 +47,8 @@ std::optional<Severity> worst(const std::vector<Finding> &findings, Subject subj
 Message titleOf(const Finding &finding)
 {
     const FindingKind &kind = *finding.kind;
+    if (finding.isYet)
+        return {kind.yet, {}};
     return kind.titled ? kind.titled(finding) : Message{kind.title, {}};
 }
 

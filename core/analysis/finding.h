@@ -57,6 +57,9 @@ struct FindingKind
     double (*spare)(const Finding &) = nullptr;
     /// Even as a note it says that something is lost: no mend may bring it.
     bool isLoss = false;
+    /// Its title while the first sections of a model are drawn, which may still mend it: "Not
+    /// connected yet". Empty: it is wrong at once.
+    Text yet = {};
 };
 
 /// A value. What only its kind knows of is in its details, which copies share.
@@ -64,6 +67,7 @@ struct Finding
 {
     const FindingKind *kind = nullptr;
     Severity severity = Severity::Good;
+    bool isYet = false;               // nothing is wrong so far (FindingKind::yet)
     std::vector<SectionRef> sections; // whom it is about; empty: the whole model
     std::vector<SectionRef> others;   // whom its sentence names besides
     std::vector<SectionRef> helpers;  // who would have to change for it to be mended

@@ -5,8 +5,23 @@
 #include "core/session/set_aside.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fff {
+
+namespace {
+
+/// Of a model that is only begun.
+Finding soFar(Finding finding)
+{
+    if (finding.severity == Severity::Error && finding.kind->yet.source) {
+        finding.severity = Severity::Unknown;
+        finding.isYet = true;
+    }
+    return finding;
+}
+
+} // namespace
 
 CheckList::CheckList(const Session &session, const QString &reports, QObject *parent)
     : QObject(parent), m_session(session), m_scheduler(session.scheduler()), m_reportFolder(reports)
@@ -51,6 +66,12 @@ void CheckList::keepReport(std::string_view stage, const Error &why)
         report = setAside(m_reportFolder, m_session.model().document, stage, why).value_or(report);
 }
 
+void CheckList::setBeginning(bool isBeginning)
+{
+    if (std::exchange(m_isBeginning, isBeginning) != isBeginning)
+        refresh();
+}
+
 /// What the stage has found of sections that are there, or why it has not.
 void CheckList::add(const Stage &stage)
 {
@@ -65,7 +86,7 @@ void CheckList::add(const Stage &stage)
     for (const Finding &finding : stage.findings(result.get()))
         if (std::all_of(finding.sections.begin(), finding.sections.end(), isThere) &&
             std::all_of(finding.others.begin(), finding.others.end(), isThere))
-            m_all.push_back(finding);
+            m_all.push_back(m_isBeginning ? soFar(finding) : finding);
 }
 
 /// Another stage knows better of the same model.

@@ -29,6 +29,8 @@ public:
     /// The newest ones of all stages that have such, of sections of model(); in the order of their
     /// subjects. In place of those of a stage that failed one that says why.
     const std::vector<Finding> &all() const { return m_all; }
+    /// While the first sections are drawn: what these may still mend is not wrong so far.
+    void setBeginning(bool isBeginning);
     /// The one that they are about; older than the session's unless age() is Current.
     const Model &model() const;
     /// Of the oldest of them.
@@ -67,6 +69,7 @@ private:
     std::shared_ptr<const Verdicts> m_verdicts; // null: none yet, or of an empty model
     std::shared_ptr<const PlannedAnalysis> m_plan;
     std::vector<Finding> m_all;
+    bool m_isBeginning = false;
     QString m_reportFolder;
     std::map<std::string_view, QString> m_failing; // stages, and where a model was set aside
 };

@@ -43,6 +43,7 @@ set(icon_names
     full_screen
     grid
     ground_shadow
+    help
     hide
     hole
     holes_remove

@@ -5,7 +5,8 @@ fff_tests(tests_app LIBRARIES fff::session TESTS
     app/tst_cli_simulate
     ALONE app/tst_cli_simulate)
 target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>"
-    FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
+    FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples"
+    FFF_RESOURCES="${CMAKE_SOURCE_DIR}/resources")
 add_dependencies(tests_app flatfitfab-cli)
 if(UNIX) # what the verbs print is caught
     fff_tests(tests_faults LIBRARIES fff_cli TESTS app/tst_cli_formats app/tst_faults)
@@ -16,7 +17,7 @@ if(FFF_BUILD_WINDOW)
     target_compile_definitions(tests_app PRIVATE FFF_PROGRAM="$<TARGET_FILE:flatfitfab>")
     add_dependencies(tests_app flatfitfab)
     # Pictures need a display's OpenGL.
-    fff_add_tests(tests_app ON_A_DISPLAY app/tst_cli_steps)
+    fff_add_tests(tests_app ON_A_DISPLAY app/tst_cli_steps app/tst_help_pictures)
     if(UNIX)
         fff_add_tests(tests_faults ON_A_DISPLAY app/tst_faults_in_pictures)
     endif()

@@ -52,7 +52,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
                                 "physics.addWeight physics.addPush physics.pull check.stress "
                                 "physics.whereStrong"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
-        {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},
+        {QT_TR_NOOP("&Help"), "help.firstSteps edit.find help.start | help.about"},
         {QT_TR_NOOP("&Mirror copy"),
          "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection", "mirrorCopy"},
         {QT_TR_NOOP("Draw on a p&lane"),

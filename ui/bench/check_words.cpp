@@ -34,6 +34,8 @@ CheckWords checkWords(const Finding &finding, const Model &model)
     const qsizetype end = whole.indexOf(QStringLiteral(". "));
     if (end < 0)
         return {verdictText(finding), whole};
+    if (finding.isYet)
+        return {verdictText(finding), whole.mid(end + 2)};
     // Its first sentence is the verdict.
     return {whole.left(end), whole.mid(end + 2)};
 }

@@ -26,7 +26,6 @@ void CardGrid::setCards(const std::vector<QWidget *> &cards)
         if (before)
             setTabOrder(before, card);
         before = card;
-        card->show();
     }
     place();
     updateGeometry();
@@ -40,8 +39,17 @@ int CardGrid::columns(int width) const
 int CardGrid::heightForWidth(int width) const
 {
     const int count = static_cast<int>(m_cards.size()), across = columns(width);
-    const int rows = (count + across - 1) / across;
+    int rows = (count + across - 1) / across;
+    if (m_mostRows > 0)
+        rows = std::min(rows, m_mostRows);
     return rows == 0 ? 0 : rows * m_card.height() + (rows - 1) * m_gap;
+}
+
+void CardGrid::setMostRows(int rows)
+{
+    m_mostRows = rows;
+    place();
+    updateGeometry();
 }
 
 QSize CardGrid::sizeHint() const
@@ -69,6 +77,7 @@ void CardGrid::place()
         const int row = static_cast<int>(i) / across;
         if (isRightToLeft())
             column = across - 1 - column;
+        m_cards[i]->setVisible(m_mostRows == 0 || row < m_mostRows);
         m_cards[i]->move(column * (m_card.width() + m_gap), row * (m_card.height() + m_gap));
     }
 }

@@ -1,4 +1,4 @@
-// Cards of one size side by side, in as many rows as the width makes of them.
+// Cards of one size side by side, in as many columns as the width has room for.
 #pragma once
 
 #include <QWidget>
@@ -16,6 +16,9 @@ public:
     void setCards(const std::vector<QWidget *> &cards);
     const std::vector<QWidget *> &cards() const { return m_cards; }
 
+    /// Those that need more are not shown. 0: all are.
+    void setMostRows(int rows);
+
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;
@@ -30,6 +33,7 @@ private:
 
     QSize m_card;
     int m_gap;
+    int m_mostRows = 0;
     std::vector<QWidget *> m_cards;
 };
 

@@ -20,7 +20,9 @@ namespace fff::ui {
 namespace {
 
 // Counts up when pictures look different, so that old ones are not used any more.
-constexpr int kLook = 1;
+constexpr int kLook = 2;
+// So many times as large a view would have lines of a pixel.
+constexpr double kLineShare = 2.5;
 
 const QString kSections = QStringLiteral("Sections"); // a text in the picture's file
 
@@ -146,8 +148,11 @@ void Thumbnails::drawNext()
             m_painter = std::make_unique<OffscreenPainter>();
         const Vec2 size(m_size.width(), m_size.height());
         const Scene scene = sceneOf(*job.analysis);
-        QImage picture = m_painter->paint(scene, cameraFor(scene, "iso1", size), size,
-                                          job.pixelRatio, theme().viewStyle());
+        // Lines are as thin as in a larger picture that was made small.
+        const Vec2 drawn = kLineShare * size;
+        QImage picture = m_painter->paint(scene, cameraFor(scene, "iso1", drawn), drawn,
+                                          job.pixelRatio / kLineShare, theme().viewStyle());
+        picture.setDevicePixelRatio(job.pixelRatio);
         const int count = static_cast<int>(job.analysis->model.sectionCount());
         if (!picture.isNull()) {
             picture.setText(kSections, QString::number(count));

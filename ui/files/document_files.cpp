@@ -326,9 +326,12 @@ QString DocumentFiles::name() const
 
 bool DocumentFiles::isUntouched() const
 {
-    const Session &session = m_bench.session();
-    return m_path.isEmpty() && session.history()->count() == 0 &&
-           session.model().sectionCount() == 0;
+    return isEmpty() && m_bench.session().history()->count() == 0;
+}
+
+bool DocumentFiles::isEmpty() const
+{
+    return m_path.isEmpty() && m_bench.session().model().sectionCount() == 0;
 }
 
 void DocumentFiles::setPath(const QString &path, bool isNative, bool isOnDisk)

@@ -74,6 +74,8 @@ public:
     QString name() const;
     /// Nothing was done in it yet: a file may be opened in its place without a question.
     bool isUntouched() const;
+    /// Nothing is in it, and it is no file: whoever wants a new model can draw here.
+    bool isEmpty() const;
 
 Q_SIGNALS:
     /// Files that a person wants to see, in this window or another.

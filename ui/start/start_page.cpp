@@ -24,6 +24,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLeftWidth = 260, kMargin = 24, kGap = 16; // px
+constexpr int kBesideCards = 20;                           // px: six columns in the usual window
 constexpr int kHeadingSize = 20;                         // px, UI.md section 4
 constexpr int kRowIcon = 20;                             // px
 
@@ -119,10 +120,11 @@ QWidget *StartPage::makeMiddle()
     const QSize card(ModelCard::kWidth, ModelCard::kHeight);
     m_recent = new CardGrid(card, kGap, page);
     m_recent->setObjectName(QStringLiteral("startRecent"));
+    m_recent->setMostRows(1);
     m_samples = new CardGrid(card, kGap, page);
     m_samples->setObjectName(QStringLiteral("startSamples"));
     auto *column = new QVBoxLayout(page);
-    column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    column->setContentsMargins(kBesideCards, kMargin, kBesideCards, kMargin);
     column->setSpacing(12);
     column->addLayout(m_unreadable);
     column->addLayout(m_recovered);

@@ -8,10 +8,12 @@
 #include "ui/base/message_bar.h"
 #include "ui/base/panes.h"
 #include "ui/base/theme.h"
+#include "ui/bench/first_sections.h"
 #include "ui/bench/number_names.h"
 #include "ui/bench/status_line.h"
 #include "ui/bench/viewport.h"
 #include "ui/bench/workbench.h"
+#include "ui/dialogs/help_window.h"
 #include "ui/dialogs/stock_editor.h"
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/history_dock.h"
@@ -160,6 +162,7 @@ void MainWindow::makeDocks()
 {
     m_checkList = new CheckList(m_bench->session(),
                                 Settings::dataFolder() + QStringLiteral("/reports"), this);
+    m_firstSections = new FirstSections(m_bench->session(), *m_checkList, this);
     const auto followRules = [this] {
         m_bench->session().scheduler().setRules(checkRules(settings()));
     };
@@ -221,6 +224,13 @@ void MainWindow::showStocks(StockId stock)
         m_stocks->refresh();
     }
     m_stocks->open(stock);
+}
+
+void MainWindow::showHelp(const QString &page)
+{
+    if (!m_help)
+        m_help = new HelpWindow(this);
+    m_help->open(page);
 }
 
 void MainWindow::makeMenus()
@@ -290,6 +300,7 @@ void MainWindow::openFiles(const QStringList &paths)
 void MainWindow::showDocument()
 {
     m_middle->setCurrentWidget(m_view);
+    m_layout->setAway(false);
     m_status->setStanding({});
     m_view->setFocus();
 }
@@ -321,6 +332,7 @@ void MainWindow::showStartPage()
         m_middle->addWidget(page);
     }
     m_middle->setCurrentIndex(1);
+    m_layout->setAway(true);
     m_status->setStanding(tr("Begin a model of your own, go on with one, or look at a sample."));
     m_middle->currentWidget()->setFocus();
     auto *page = static_cast<StartPage *>(m_middle->currentWidget());

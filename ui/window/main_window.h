@@ -18,6 +18,8 @@ class Badges;
 class CanvasBar;
 class ChecksDock;
 class DocumentFiles;
+class FirstSections;
+class HelpWindow;
 class HistoryDock;
 class LibraryDock;
 class MainToolBar;
@@ -81,6 +83,7 @@ private:
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.
     void showStocks(StockId stock);
+    void showHelp(const QString &page);
     void refreshTheme();
 
     Workbench *m_bench = nullptr;
@@ -88,6 +91,7 @@ private:
     MessageBar *m_messages = nullptr;
     QWidget *m_view = nullptr; // the viewport, or what stands there without OpenGL
     CheckList *m_checkList = nullptr;
+    FirstSections *m_firstSections = nullptr;
     OutlineDock *m_outline = nullptr;
     HistoryDock *m_history = nullptr;
     LibraryDock *m_library = nullptr;
@@ -98,7 +102,9 @@ private:
     CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand
     StepsView *m_steps = nullptr; // of the assembly
     StepsExport *m_stepsExport = nullptr;
-    StockEditor *m_stocks = nullptr; // once it was asked for
+    // Once they were asked for.
+    StockEditor *m_stocks = nullptr;
+    HelpWindow *m_help = nullptr;
     StatusLine *m_status = nullptr;
     DocumentFiles *m_files = nullptr;
     MainToolBar *m_toolBar = nullptr;

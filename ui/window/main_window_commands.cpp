@@ -2,6 +2,7 @@
 #include "core/session/command_rules.h"
 #include "ui/actions/action_finder.h"
 #include "ui/base/panes.h"
+#include "ui/bench/first_sections.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_search.h"
@@ -78,6 +79,8 @@ constexpr CommandWords kWords[] = {
      "stocks", FFF_TEXT("Command", "Sheet materials: thickness, strength, kerf and sheet size")},
     {"edit.find", FFF_TEXT("Command", "&Find an action…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
      "search", FFF_TEXT("Command", "Type to find anything that the program can do")},
+    {"help.firstSteps", FFF_TEXT("Command", "&First steps"), FFF_TEXT("Command", "First steps"),
+     "F1", "help", FFF_TEXT("Command", "How a model is made, step by step, with pictures")},
     {"help.start", FFF_TEXT("Command", "&Start page"), FFF_TEXT("Command", "Start page"), "",
      "start", FFF_TEXT("Command", "Recent models and samples")},
     {"help.about", FFF_TEXT("Command", "&About FlatFitFab"), FFF_TEXT("Command", "About"), "",
@@ -108,7 +111,12 @@ void MainWindow::addCommands()
     add("file.save", [this] { m_files->save(); });
     add("file.saveAs", [this] { m_files->saveAs(); });
     add(
-        "file.export", [this] { m_files->exportCuttingFile(); }, needsSections(m_bench->session()));
+        "file.export",
+        [this] {
+            m_firstSections->takeAsIs();
+            m_files->exportCuttingFile();
+        },
+        needsSections(m_bench->session()));
     add(
         "file.revert", [this] { m_files->revert(); },
         [this](const CommandParameters &) -> WhyNot {
@@ -122,6 +130,7 @@ void MainWindow::addCommands()
     add("file.close", [this] { close(); });
     add("file.quit", [] { closeAllWindows(); });
     add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });
+    add("help.firstSteps", [this] { showHelp(QStringLiteral("first_steps")); });
     add("help.start", [this] { showStartPage(); });
     add(
         "view.docks", [this] { m_layout->setHidden(!m_layout->isHidden()); }, {},

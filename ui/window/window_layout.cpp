@@ -7,8 +7,10 @@
 #include <QLayout>
 #include <QMainWindow>
 #include <QScreen>
+#include <QToolBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
@@ -127,32 +129,59 @@ void WindowLayout::windowShown()
     reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     m_window.restoreState(settings().windowState(), kVersion);
+    m_beforeHiding.clear(); // that was of a window nobody had seen
+    if (m_isAway)
+        follow();
 }
 
 void WindowLayout::save() const
 {
     settings().setWindowGeometry(m_window.saveGeometry());
-    settings().setWindowState(m_isHidden ? m_beforeHiding : m_window.saveState(kVersion));
+    settings().setWindowState(m_beforeHiding.isEmpty() ? m_window.saveState(kVersion)
+                                                       : m_beforeHiding);
 }
 
 void WindowLayout::setHidden(bool hidden)
 {
     if (hidden == m_isHidden)
         return;
-    if (hidden) {
-        m_beforeHiding = m_window.saveState(kVersion);
-        for (QDockWidget *dock : m_docks)
-            dock->hide();
-    } else if (!m_window.restoreState(m_beforeHiding, kVersion)) {
-        reset();
-    }
     m_isHidden = hidden;
+    follow();
     Q_EMIT hiddenChanged(hidden);
+}
+
+void WindowLayout::setAway(bool away)
+{
+    if (away == m_isAway)
+        return;
+    m_isAway = away;
+    follow();
+}
+
+void WindowLayout::follow()
+{
+    if (!m_isHidden && !m_isAway)
+        return bringBack();
+    if (m_beforeHiding.isEmpty())
+        m_beforeHiding = m_window.saveState(kVersion);
+    for (QDockWidget *dock : m_docks)
+        dock->hide();
+    for (QToolBar *bar : m_window.findChildren<QToolBar *>())
+        bar->setVisible(!m_isAway);
+}
+
+void WindowLayout::bringBack()
+{
+    if (m_beforeHiding.isEmpty())
+        return;
+    if (!m_window.restoreState(std::exchange(m_beforeHiding, {}), kVersion))
+        reset();
 }
 
 void WindowLayout::show(QDockWidget *dock)
 {
     setHidden(false);
+    setAway(false);
     dock->show();
     dock->raise();
 }
@@ -160,10 +189,11 @@ void WindowLayout::show(QDockWidget *dock)
 void WindowLayout::forgetHiding()
 {
     m_beforeHiding.clear();
-    if (!m_isHidden)
-        return;
-    m_isHidden = false;
-    Q_EMIT hiddenChanged(false);
+    const bool wasHidden = std::exchange(m_isHidden, false);
+    if (m_isAway)
+        follow();
+    if (wasHidden)
+        Q_EMIT hiddenChanged(false);
 }
 
 } // namespace fff::ui

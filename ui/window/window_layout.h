@@ -39,6 +39,8 @@ public:
     /// All docks away, and back exactly as they were.
     void setHidden(bool hidden);
     bool isHidden() const { return m_isHidden; }
+    /// Docks and tool bar away while there is no model to work on, and back as they were.
+    void setAway(bool away);
     /// Brings a dock to the front, wherever it is; the others too, if all were hidden.
     void show(QDockWidget *dock);
 
@@ -46,14 +48,16 @@ Q_SIGNALS:
     void hiddenChanged(bool hidden);
 
 private:
+    void follow();
+    void bringBack();
     void forgetHiding();
 
     QMainWindow &m_window;
     std::vector<QDockWidget *> m_docks;
     std::vector<Place> m_places;  // one a dock
     std::vector<char> m_areShown; // at first
-    QByteArray m_beforeHiding;
-    bool m_isHidden = false;
+    QByteArray m_beforeHiding; // empty: nothing is hidden
+    bool m_isHidden = false, m_isAway = false;
 };
 
 } // namespace fff::ui

@@ -87,7 +87,7 @@ int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
 
 void startNewDocument(MainWindow &from)
 {
-    MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
+    MainWindow *window = from.files().isEmpty() ? &from : openWindow(&from);
     window->showDocument();
 }
 

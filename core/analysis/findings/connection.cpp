@@ -122,16 +122,16 @@ const ActionKind kDeleteSections{deleteWords, deleted};
 
 const FindingKind kConnected{"connected", Subject::Connection, FFF_TEXT("Checks", "Connected"),
                              connectedSentence};
-const FindingKind kNotConnected{"notConnected",
-                                Subject::Connection,
-                                FFF_TEXT("Checks", "Not connected"),
-                                notConnectedSentence,
-                                mendsOf,
-                                nullptr,
-                                &kDeleteSections,
-                                nullptr,
-                                FFF_TEXT("Checks", "Draw a section that crosses both, or move one "
-                                                   "of them to the other.")};
+const FindingKind kNotConnected{
+    .name = "notConnected",
+    .subject = Subject::Connection,
+    .title = FFF_TEXT("Checks", "Not connected"),
+    .sentence = notConnectedSentence,
+    .actions = mendsOf,
+    .forAll = &kDeleteSections,
+    .advice =
+        FFF_TEXT("Checks", "Draw a section that crosses both, or move one of them to the other."),
+    .yet = FFF_TEXT("Checks", "Not connected yet")};
 
 void findConnection(const Looked &at, std::vector<Finding> &found)
 {

@@ -188,6 +188,11 @@ ProblemLook footingLook(const Finding &finding)
     return look;
 }
 
+constexpr Text kFootAdvice =
+    FFF_TEXT("Checks", "Give it another foot, or move weight over those it has.");
+constexpr Text kNotYet = FFF_TEXT("Checks", "Does not stand yet");
+constexpr Text kNotOnGroundYet = FFF_TEXT("Checks", "Not on the ground yet");
+
 // --- how it is found
 
 Towards towards(const Vec2 &direction)
@@ -269,43 +274,43 @@ const ActionKind kDropToGround{plainWords<kDropText>, dropped};
 const FindingKind kStands{
     "stands", Subject::Stability, FFF_TEXT("Checks", "Stands"), standsSentence,
     nullptr,  footingLook};
-const FindingKind kUnsteady{"unsteady",
-                            Subject::Stability,
-                            FFF_TEXT("Checks", "Tips easily"),
-                            unsteadySentence,
-                            broaden,
-                            footingLook,
-                            nullptr,
-                            nullptr,
-                            {},
-                            nullptr,
-                            tipAngleOf};
-const FindingKind kTopples{
-    "topples",
-    Subject::Stability,
-    FFF_TEXT("Checks", "Falls over"),
-    topplesSentence,
-    stretch,
-    footingLook,
-    nullptr,
-    nullptr,
-    FFF_TEXT("Checks", "Give it another foot, or move weight over those it has.")};
-const FindingKind kLineSupport{
-    "lineSupport",
-    Subject::Stability,
-    FFF_TEXT("Checks", "Falls over"),
-    lineSentence,
-    stretch,
-    footingLook,
-    nullptr,
-    nullptr,
-    FFF_TEXT("Checks", "Give it another foot, or move weight over those it has.")};
-const FindingKind kNoContact{
-    "noContact", Subject::Stability, FFF_TEXT("Checks", "Not on the ground"), noContactSentence,
-    drop,        footingLook};
-const FindingKind kBelowGround{
-    "belowGround", Subject::Stability, FFF_TEXT("Checks", "Not on the ground"), belowGroundSentence,
-    drop,          footingLook};
+const FindingKind kUnsteady{.name = "unsteady",
+                            .subject = Subject::Stability,
+                            .title = FFF_TEXT("Checks", "Tips easily"),
+                            .sentence = unsteadySentence,
+                            .actions = broaden,
+                            .look = footingLook,
+                            .spare = tipAngleOf};
+const FindingKind kTopples{.name = "topples",
+                           .subject = Subject::Stability,
+                           .title = FFF_TEXT("Checks", "Falls over"),
+                           .sentence = topplesSentence,
+                           .actions = stretch,
+                           .look = footingLook,
+                           .advice = kFootAdvice,
+                           .yet = kNotYet};
+const FindingKind kLineSupport{.name = "lineSupport",
+                               .subject = Subject::Stability,
+                               .title = FFF_TEXT("Checks", "Falls over"),
+                               .sentence = lineSentence,
+                               .actions = stretch,
+                               .look = footingLook,
+                               .advice = kFootAdvice,
+                               .yet = kNotYet};
+const FindingKind kNoContact{.name = "noContact",
+                             .subject = Subject::Stability,
+                             .title = FFF_TEXT("Checks", "Not on the ground"),
+                             .sentence = noContactSentence,
+                             .actions = drop,
+                             .look = footingLook,
+                             .yet = kNotOnGroundYet};
+const FindingKind kBelowGround{.name = "belowGround",
+                               .subject = Subject::Stability,
+                               .title = FFF_TEXT("Checks", "Not on the ground"),
+                               .sentence = belowGroundSentence,
+                               .actions = drop,
+                               .look = footingLook,
+                               .yet = kNotOnGroundYet};
 
 void findStanding(const Looked &at, std::vector<Finding> &found)
 {

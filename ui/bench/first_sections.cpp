@@ -1,0 +1,47 @@
+#include "ui/bench/first_sections.h"
+
+#include "core/session/check_list.h"
+#include "core/session/session.h"
+
+namespace fff::ui {
+
+namespace {
+
+/// With more of them a person knows what they are about.
+constexpr std::size_t kMostFirst = 3;
+
+bool isBegun(const Document &document)
+{
+    return document.sections.size() <= kMostFirst && document.operations.empty();
+}
+
+} // namespace
+
+FirstSections::FirstSections(const Session &session, CheckList &list, QObject *parent)
+    : QObject(parent), m_session(session), m_list(list)
+{
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
+    connect(&m_pause, &QTimer::timeout, this, &FirstSections::takeAsIs);
+    connect(&session, &Session::modelChanged, this, &FirstSections::follow);
+}
+
+void FirstSections::follow()
+{
+    // What was opened and not touched is as somebody left it.
+    const bool isDrawn = m_session.history()->index() > 0 || m_session.hasPreview();
+    if (isDrawn && isBegun(m_session.model().document)) {
+        m_list.setBeginning(true);
+        m_pause.start();
+    } else {
+        takeAsIs();
+    }
+}
+
+void FirstSections::takeAsIs()
+{
+    m_pause.stop();
+    m_list.setBeginning(false);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,37 @@
+// What is wrong with a model of which only the first sections are there is not said in red while
+// they are drawn: the next one may mend it.
+#pragma once
+
+#include <QObject> // first: moc stumbles over some standard headers
+#include <QTimer>
+
+namespace fff {
+
+class CheckList;
+class Session;
+
+namespace ui {
+
+class FirstSections : public QObject
+{
+    Q_OBJECT
+public:
+    /// ms that a model is left alone until it is taken as it is
+    static constexpr int kPause = 3000;
+
+    /// Both outlive it.
+    FirstSections(const Session &session, CheckList &list, QObject *parent = nullptr);
+
+    /// Now: it is to be cut.
+    void takeAsIs();
+
+private:
+    void follow();
+
+    const Session &m_session;
+    CheckList &m_list;
+    QTimer m_pause;
+};
+
+} // namespace ui
+} // namespace fff
