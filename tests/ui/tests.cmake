@@ -20,6 +20,7 @@ target_compile_definitions(tests_view PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/r
 fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder
     ui/actions/tst_own_tool
+    ui/bench/tst_first_sections
     ui/dialogs/tst_dialogs
     ui/docks/tst_movement_rows
     ui/docks/tst_operations_docks
@@ -65,7 +66,8 @@ set(windows
     ui/tst_point_editing
     ui/tst_script_player
     ui/tst_transform_window
-    ui/tst_weight_keys)
+    ui/tst_weight_keys
+    ui/window/tst_start_window)
 fff_tests(tests_window LIBRARIES fff::ui ON_A_DISPLAY ${windows})
 # The program itself, killed while it works.
 target_compile_definitions(tests_window PRIVATE FFF_WINDOW="$<TARGET_FILE:flatfitfab>")

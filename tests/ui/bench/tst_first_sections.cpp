@@ -1,0 +1,93 @@
+// What is wrong with a model that is only begun is not said in red while it is drawn.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/analysis/findings/connection.h"
+#include "core/analysis/findings/standing.h"
+#include "core/session/check_list.h"
+#include "core/session/session.h"
+#include "tests/core/analysed.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
+#include "ui/bench/check_words.h"
+#include "ui/bench/first_sections.h"
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+class TestFirstSections : public QObject
+{
+    Q_OBJECT
+
+private:
+    static Frame raised()
+    {
+        Frame frame = front();
+        frame.origin.y() += 20.0;
+        return frame;
+    }
+    static const Finding *find(const CheckList &list, const FindingKind &kind)
+    {
+        for (const Finding &finding : list.all())
+            if (finding.is(kind))
+                return &finding;
+        return nullptr;
+    }
+
+private Q_SLOTS:
+    void greyWhileDrawn()
+    {
+        Session session;
+        CheckList list{session};
+        FirstSections first(session, list);
+        session.commit(QStringLiteral("Draw"),
+                       withSection(newDocument(), plateOf(-50, 0, 50, 60), raised()));
+        list.finish();
+        const Finding *finding = find(list, kNoContact);
+        QVERIFY(finding);
+        QCOMPARE(finding->severity, Severity::Unknown);
+        const CheckWords words = checkWords(*finding, list.model());
+        QCOMPARE(words.title, QStringLiteral("Not on the ground yet"));
+        QVERIFY(!words.text.contains(QStringLiteral("Not on the ground")));
+
+        // Left alone, or on its way to the cutter, it is what it is.
+        first.takeAsIs();
+        finding = find(list, kNoContact);
+        QCOMPARE(finding->severity, Severity::Error);
+        QCOMPARE(checkWords(*finding, list.model()).title, QStringLiteral("Not on the ground"));
+
+        // The next section begins anew.
+        const Document two =
+            withSection(session.committed().document, plateOf(-50, 0, 50, 60), side(200));
+        session.commit(QStringLiteral("Draw"), two);
+        list.finish();
+        QCOMPARE(find(list, kNotConnected)->severity, Severity::Unknown);
+    }
+
+    void notWithMoreSections()
+    {
+        Session session;
+        CheckList list{session};
+        FirstSections first(session, list);
+        Document document = newDocument();
+        for (int i = 0; i < 4; ++i)
+            document = withSection(document, plateOf(-50, 0, 50, 60), side(100.0 * i));
+        session.commit(QStringLiteral("Draw"), document);
+        list.finish();
+        QCOMPARE(find(list, kNotConnected)->severity, Severity::Error);
+    }
+
+    /// What was opened is as somebody left it.
+    void notOfAFile()
+    {
+        Session session;
+        CheckList list{session};
+        FirstSections first(session, list);
+        session.reset(withSection(newDocument(), plateOf(-50, 0, 50, 60), raised()));
+        list.finish();
+        QCOMPARE(find(list, kNoContact)->severity, Severity::Error);
+    }
+};
+
+FFF_TEST(TestFirstSections)
+#include "tst_first_sections.moc"

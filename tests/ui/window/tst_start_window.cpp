@@ -1,0 +1,117 @@
+// The window before there is a model: the start page alone, and the help.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "tests/test_program.h"
+#include "ui/bench/workbench.h"
+#include "ui/cards/card_grid.h"
+#include "ui/dialogs/help_window.h"
+#include "ui/window/main_window.h"
+
+#include <QDockWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QToolBar>
+
+#include <algorithm>
+
+using namespace fff;
+using namespace fff::ui;
+
+class TestStartWindow : public QObject
+{
+    Q_OBJECT
+
+private:
+    static int shownDocks(const MainWindow &window)
+    {
+        int count = 0;
+        for (const QDockWidget *dock : window.findChildren<QDockWidget *>())
+            count += dock->isVisible();
+        return count;
+    }
+
+private Q_SLOTS:
+    void theStartPageIsAlone()
+    {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const int docks = shownDocks(window);
+        QVERIFY(docks > 0);
+        window.showStartPage();
+        QCOMPARE(shownDocks(window), 0);
+        for (const QToolBar *bar : window.findChildren<QToolBar *>())
+            QVERIFY(!bar->isVisible());
+        window.showDocument();
+        QCOMPARE(shownDocks(window), docks);
+        for (const QToolBar *bar : window.findChildren<QToolBar *>())
+            QVERIFY(bar->isVisible());
+        // Hidden by a person, they stay so.
+        window.bench().run(QStringLiteral("view.docks"));
+        QCOMPARE(shownDocks(window), 0);
+        window.showStartPage();
+        window.showDocument();
+        QCOMPARE(shownDocks(window), 0);
+        window.bench().run(QStringLiteral("view.docks"));
+        QCOMPARE(shownDocks(window), docks);
+    }
+
+    /// Docks that were put back before the window is shown do not come up beside the page.
+    void shownWithTheStartPage()
+    {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.showStartPage();
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QCOMPARE(shownDocks(window), 0);
+        window.showDocument();
+        QVERIFY(shownDocks(window) > 0);
+    }
+
+    void oneRowOfCards()
+    {
+        CardGrid grid({100, 80}, 10);
+        grid.setMostRows(1);
+        grid.resize(330, 400);
+        std::vector<QWidget *> cards;
+        for (int i = 0; i < 7; ++i)
+            cards.push_back(new QWidget);
+        grid.setCards(cards);
+        grid.show();
+        QCOMPARE(std::count_if(cards.begin(), cards.end(),
+                               [](const QWidget *card) { return card->isVisible(); }),
+                 3);
+        QCOMPARE(grid.heightForWidth(330), 80);
+        grid.resize(550, 400);
+        QVERIFY(cards[4]->isVisible());
+        QVERIFY(!cards[5]->isVisible());
+    }
+
+    void helpHasItsPictures()
+    {
+        HelpWindow help(nullptr);
+        help.open(QStringLiteral("first_steps"));
+        const auto *text = help.findChild<QTextBrowser *>();
+        const QString plain = text->toPlainText();
+        QVERIFY(plain.contains(QStringLiteral("First steps")));
+        // A picture that is not there stands as a broken one.
+        const int pictures = static_cast<int>(plain.count(QChar::ObjectReplacementCharacter));
+        QVERIFY(pictures >= 4);
+        for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next())
+            for (auto it = block.begin(); !it.atEnd(); ++it) {
+                const QTextCharFormat format = it.fragment().charFormat();
+                if (!format.isImageFormat())
+                    continue;
+                const QUrl name(format.toImageFormat().name());
+                const auto picture =
+                    text->document()->resource(QTextDocument::ImageResource, name).value<QImage>();
+                QVERIFY2(!picture.isNull(), qPrintable(name.toString()));
+                QVERIFY(picture.deviceIndependentSize().width() <= text->width());
+            }
+    }
+};
+
+FFF_TEST(TestStartWindow)
+#include "tst_start_window.moc"
