@@ -118,6 +118,7 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
         cutting.withoutPart.push_back(
             analysis.model.section(static_cast<std::size_t>(section))->name);
     cutting.partCount = static_cast<int>(parts.size());
+    cutting.list = partList(parts, analysis.model);
     const auto slitWidth = narrowestDrawn(analysis, options.compensatesKerf);
     if (!slitWidth)
         return tl::unexpected(slitWidth.error());

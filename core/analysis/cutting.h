@@ -4,6 +4,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/fabrication/cutting_drawing.h"
+#include "core/fabrication/part_list.h"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct Cutting
 {
     CuttingDrawing drawing;
     int partCount = 0;
+    std::vector<ListedPart> list;         // of all parts
     double usedShare = 0.0;               // of the sheets' area that parts cover, 0 … 1
     std::vector<std::string> withoutPart; // names of sections of which slits leave nothing
     std::vector<std::string> oversized;   // names of sections with a part that fits no sheet

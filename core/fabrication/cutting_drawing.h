@@ -83,10 +83,14 @@ public:
 
     int number() const { return part().number; } // engraved
     const std::string &name() const { return m_name; }
+    /// As it is cut, in the part's own coordinates.
+    const CurvedRegion &outline() const { return part().outline; }
     /// Its number, and those of its joints, sheet coordinates: stroke by stroke the points. Empty
     /// where there is no room for any.
     template <class Visit> // Visit(bool isFirstOfStroke, const Vec2 &)
     void forLabel(const Visit &visit) const;
+    /// Its own, which too slim parts do not bear.
+    bool hasNumber() const { return engraving() && engraving()->hasNumber; }
     bool hasLabel() const { return engraving() && !engraving()->strokes.isEmpty(); }
     /// As they are to be cut: what is drawn, holes, the outside.
     template <class Visit> // Visit(const CuttingLine &)

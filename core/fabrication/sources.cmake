@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     fabrication/marks.cpp
     fabrication/open_sheets.cpp
     fabrication/outline_size.cpp
+    fabrication/part_list.cpp
     fabrication/parts.cpp
     fabrication/room.cpp
     fabrication/skyline.cpp

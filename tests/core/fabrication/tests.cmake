@@ -3,4 +3,5 @@ fff_tests(tests_fabrication LIBRARIES fff::session TESTS
     core/fabrication/tst_kerf_oracle
     core/fabrication/tst_layout
     core/fabrication/tst_marks
+    core/fabrication/tst_part_list
     core/fabrication/tst_parts)
