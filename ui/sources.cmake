@@ -17,6 +17,7 @@ target_sources(fff_ui PRIVATE
     base/theme.cpp
     base/translations.cpp
     bench/check_words.cpp
+    bench/cutting_words.cpp
     bench/clipboard.cpp
     bench/first_sections.cpp
     bench/held.cpp
@@ -39,16 +40,31 @@ target_sources(fff_ui PRIVATE
     cards/thumbnails.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
+    dialogs/cutting_work.cpp
+    dialogs/export_choices.cpp
+    dialogs/export_dialog.cpp
+    dialogs/export_preview.cpp
+    dialogs/export_questions.cpp
+    dialogs/export_remarks.cpp
+    dialogs/export_rows.cpp
     dialogs/help_window.cpp
     dialogs/key_recorder.cpp
     dialogs/libraries.cpp
+    dialogs/parts_table.cpp
+    dialogs/question_row.cpp
+    dialogs/remark_rows.cpp
     dialogs/settings_dialog.cpp
+    dialogs/sheet_painting.cpp
+    dialogs/sheet_paths.cpp
+    dialogs/sheet_view.cpp
     dialogs/shortcut_editor.cpp
     dialogs/shortcut_keys.cpp
     dialogs/slit_rows.cpp
     dialogs/stock_editor.cpp
+    dialogs/stock_edits.cpp
     dialogs/stock_fields.cpp
     dialogs/stock_list.cpp
+    dialogs/stock_words.cpp
     docks/check_row.cpp
     docks/checks_dock.cpp
     docks/dock_title.cpp
@@ -70,6 +86,7 @@ target_sources(fff_ui PRIVATE
     docks/properties_header.cpp
     docks/section_page.cpp
     files/document_files.cpp
+    files/export_targets.cpp
     files/exporting.cpp
     files/failures.cpp
     files/file_drop.cpp

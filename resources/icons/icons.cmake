@@ -26,6 +26,7 @@ set(icon_names
     engrave
     err
     export
+    export_again
     eye
     eye_off
     face_section

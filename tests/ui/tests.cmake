@@ -22,6 +22,9 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_own_tool
     ui/bench/tst_first_sections
     ui/dialogs/tst_dialogs
+    ui/dialogs/tst_export_dialog
+    ui/dialogs/tst_export_looks
+    ui/dialogs/tst_sheet_paths
     ui/docks/tst_movement_rows
     ui/docks/tst_operations_docks
     ui/docks/tst_stage_failures

@@ -19,7 +19,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
     static const MenuRow kMenus[] = {
         {QT_TR_NOOP("&File"),
          "file.new file.open @recent file.insert file.addToLibrary | file.save file.saveAs "
-         "file.revert | file.export | "
+         "file.revert | file.export file.exportAgain | "
          "file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"),
          "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate edit.delete | "

@@ -7,12 +7,12 @@
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/slit_rows.h"
+#include "ui/dialogs/stock_words.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
 
 #include <QCheckBox>
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
@@ -33,21 +33,6 @@ constexpr double kMegapascalsPerGigapascal = 1000.0;
 constexpr double kPercent = 100.0;
 constexpr NumberEdit::Range kLasting{1.0, 100.0, 5.0, 0, 1};
 constexpr LengthEdit::Range kSheetRange{10.0, 10000.0, 10.0, 0, 1};
-
-QString sheetName(const char *name)
-{
-    return QCoreApplication::translate("fff::ui::Sheet", name);
-}
-
-// Names of sheets (core/model/materials.cpp), for lupdate.
-[[maybe_unused]] const char *const kSheetNames[] = {
-    QT_TRANSLATE_NOOP("fff::ui::Sheet", "A4"),
-    QT_TRANSLATE_NOOP("fff::ui::Sheet", "A3"),
-    QT_TRANSLATE_NOOP("fff::ui::Sheet", "Letter"),
-    QT_TRANSLATE_NOOP("fff::ui::Sheet", "K40 laser"),
-    QT_TRANSLATE_NOOP("fff::ui::Sheet", "12 × 20 in"),
-    QT_TRANSLATE_NOOP("fff::ui::Sheet", "Whole plywood board"),
-};
 
 } // namespace
 
@@ -153,9 +138,7 @@ QWidget *StockFields::makeSheetSize()
         menu->clear();
         menu->setPalette(theme().palette());
         for (const SheetSize &sheet : commonSheets()) {
-            const QString size = sizeText({sheet.size.x(), sheet.size.y()}, 0, locale());
-            QAction *action = menu->addAction(
-                *sheet.name ? QStringLiteral("%1  (%2)").arg(size, sheetName(sheet.name)) : size);
+            QAction *action = menu->addAction(sheetText(sheet, locale()));
             connect(action, &QAction::triggered, this,
                     [this, &sheet] { edit([&sheet](Stock &s) { s.sheet = sheet.size; }); });
         }
@@ -203,18 +186,8 @@ void StockFields::makeCutting()
     addLength(group, tr("Slit clearance"), "stockClearance", -1.0, 1.0, &Stock::clearance);
     auto *drawn = new TextRow(
         tr("Drawn slit width"), "stockSlitWidth",
-        [this] {
-            const Stock &s = *stock();
-            const double width = s.thickness + s.clearance - s.kerf;
-            const auto text = [this](double mm) { return lengthNumber(mm, 2, 3, locale()); };
-            return width > 0.0 ? tr("%1 = %2 + %3 − %4")
-                                     .arg(lengthText(width, 2, 3, locale()), text(s.thickness),
-                                          text(s.clearance), text(s.kerf))
-                               : tr("none: the kerf is wider than the slit");
-        },
-        group);
-    drawn->setToolTip(tr("Thickness, clearance and kerf of two sections of this stock that stand "
-                         "square on each other"));
+        [this] { return drawnSlitText(*stock(), locale()); }, group);
+    drawn->setToolTip(drawnSlitTip());
     group->add(drawn);
     m_rows.push_back(drawn);
 }

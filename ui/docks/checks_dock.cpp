@@ -445,6 +445,17 @@ void ChecksDock::choose(Subject subject)
     }
 }
 
+void ChecksDock::choose(const Finding &finding)
+{
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &one) {
+        return isSameVerdict(one.finding, finding);
+    });
+    if (row == m_rows.end())
+        return choose(finding.subject());
+    Q_EMIT shown();
+    choose(static_cast<int>(row - m_rows.begin()), true);
+}
+
 /// The stock of what it is about.
 void ChecksDock::showStock(const Finding &finding)
 {

@@ -35,6 +35,9 @@ public:
     void goToProblem(int step);
     /// What a badge asks for: the worst row of this subject.
     void choose(Subject subject);
+    /// The row of this one, framed in the view; if there is none any more, the worst of its
+    /// subject.
+    void choose(const fff::Finding &finding);
     /// In the colours of the theme.
     void refreshColours();
 

@@ -36,12 +36,15 @@ QString nativeSuffix()
 
 } // namespace
 
-DocumentFiles::DocumentFiles(Workbench &bench, MessageBar &messages, StatusLine &status,
-                             QWidget &window)
+DocumentFiles::DocumentFiles(Workbench &bench, const CheckList &checks, MessageBar &messages,
+                             StatusLine &status, QWidget &window)
     : QObject(&window), m_bench(bench), m_messages(messages), m_status(status), m_window(window),
-      m_exporting(new Exporting(bench, messages, status, window))
+      m_exporting(new Exporting(bench, checks, messages, status, window))
 {
     connect(m_exporting, &Exporting::stocksWanted, this, &DocumentFiles::stocksWanted);
+    connect(m_exporting, &Exporting::problemWanted, this, &DocumentFiles::problemWanted);
+    connect(m_exporting, &Exporting::sectionsWanted, this, &DocumentFiles::sectionsWanted);
+    connect(m_exporting, &Exporting::exported, this, &DocumentFiles::exported);
     connect(&bench.session(), &Session::cleanChanged, this, &DocumentFiles::refreshTitle);
     refreshTitle();
 }
@@ -113,7 +116,17 @@ bool DocumentFiles::saveAs()
 
 bool DocumentFiles::exportCuttingFile()
 {
-    return m_exporting->ask(suggestion());
+    return m_exporting->ask(suggestion(), path());
+}
+
+bool DocumentFiles::exportAgain()
+{
+    return m_exporting->again(path());
+}
+
+bool DocumentFiles::canExportAgain() const
+{
+    return m_exporting->canAgain(path());
 }
 
 QString DocumentFiles::suggestion() const

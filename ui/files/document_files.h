@@ -3,9 +3,11 @@
 // decided here (ui/windows.h).
 #pragma once
 
+#include <QObject> // first: moc stumbles over some standard headers
+
+#include "core/model/section.h"
 #include "ui/files/file_stamp.h"
 
-#include <QObject>
 #include <QString>
 #include <QStringList>
 
@@ -14,6 +16,8 @@
 class QWidget;
 
 namespace fff {
+class CheckList;
+struct Finding;
 namespace io {
 struct LoadedDocument;
 }
@@ -31,7 +35,8 @@ class DocumentFiles : public QObject
     Q_OBJECT
 public:
     /// window  parent of the questions; its title is the file's name
-    DocumentFiles(Workbench &bench, MessageBar &messages, StatusLine &status, QWidget &window);
+    DocumentFiles(Workbench &bench, const CheckList &checks, MessageBar &messages,
+                  StatusLine &status, QWidget &window);
 
     /// Ask for what is not given. False when nothing was done.
     bool startNew();
@@ -39,6 +44,9 @@ public:
     bool save();
     bool saveAs();
     bool exportCuttingFile();
+    /// As it was exported last, over that; without a question.
+    bool exportAgain();
+    bool canExportAgain() const;
     /// Where and under which name it would be exported, without a suffix.
     QString suggestion() const;
     /// True when the document may go: it is saved, or may be lost.
@@ -83,6 +91,10 @@ Q_SIGNALS:
     /// path() or name() is another one now, or the same file was read or written again.
     void pathChanged();
     void stocksWanted();
+    // Who is about to export wants to see it in the model.
+    void problemWanted(const fff::Finding &problem);
+    void sectionsWanted(const std::vector<fff::SectionRef> &sections);
+    void exported();
 
 private:
     void showWarnings(const io::LoadedDocument &loaded);

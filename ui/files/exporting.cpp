@@ -10,77 +10,149 @@
 #include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
 #include "ui/base/message_bar.h"
+#include "ui/bench/cutting_words.h"
 #include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
+#include "ui/dialogs/export_dialog.h"
 #include "ui/files/failures.h"
-#include "ui/files/format_filters.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
 
+#include <QDesktopServices>
 #include <QFileInfo>
+#include <QUrl>
+
+#include <algorithm>
 
 namespace fff::ui {
 
 namespace {
 
 /// By the file's suffix; a cutting file in the first format that there is where it says nothing.
-const io::Format &formatFor(const QString &path)
+ExportKind kindOf(const QString &path, bool isFilePerSheet)
 {
+    const std::vector<ExportKind> kinds = exportKinds();
     const io::Format *named = io::formatWritten(QFileInfo(path).suffix(), &io::Format::isExported);
-    return named ? *named : *exportKinds().front().format;
+    const io::Format *format = named ? named : kinds.front().format;
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ExportKind &kind) {
+        return kind.format == format && kind.isFilePerSheet == isFilePerSheet;
+    });
+    return found == kinds.end() ? kinds.front() : *found;
+}
+
+/// The first where there is none of this key any more.
+ExportKind kindNamed(const QString &key)
+{
+    const std::vector<ExportKind> kinds = exportKinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                    [&key](const ExportKind &kind) { return kind.key == key; });
+    return found == kinds.end() ? kinds.front() : *found;
+}
+
+std::vector<ExportFile> filesToChoose()
+{
+    std::vector<ExportFile> files;
+    for (const ExportKind &kind : exportKinds())
+        files.push_back({kind.key,
+                         QStringLiteral("%1: %2").arg(kind.format->suffix().toUpper(), kind.title),
+                         kind.format->writesSolids(), kind.isFilePerSheet});
+    return files;
+}
+
+/// Without what the kinds of files end in; what follows another dot ("chair.v2") is no suffix.
+QString withoutExportSuffix(const QString &path)
+{
+    const QString suffix = QFileInfo(path).suffix();
+    return io::formatWritten(suffix, &io::Format::isExported) ? path.chopped(suffix.size() + 1)
+                                                              : path;
 }
 
 } // namespace
 
-Exporting::Exporting(Workbench &bench, MessageBar &messages, StatusLine &status, QWidget &window)
-    : QObject(&window), m_bench(bench), m_messages(messages), m_status(status), m_window(window)
+Exporting::Exporting(Workbench &bench, const CheckList &checks, MessageBar &messages,
+                     StatusLine &status, QWidget &window)
+    : QObject(&window), m_bench(bench), m_checks(checks), m_messages(messages), m_status(status),
+      m_window(window)
 {
+    connect(&bench.session(), &Session::replaced, this, [this] { m_last.reset(); });
 }
 
-bool Exporting::ask(const QString &suggestion)
+std::optional<ExportTarget> Exporting::target(const QString &model) const
 {
-    const std::vector<ExportKind> kinds = exportKinds();
-    QStringList filters;
-    for (const ExportKind &kind : kinds)
-        filters += kind.filter;
-    const auto kindOf = [&kinds](const QString &filter) {
-        const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ExportKind &kind) {
-            return kind.filter == filter;
-        });
-        return found == kinds.end() ? kinds.front() : *found;
-    };
-    FileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
-                      filters.join(QStringLiteral(";;")));
-    const QString usual = kinds.front().format->suffix();
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(usual);
-    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + usual);
-    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString &filter) {
-        const ExportKind kind = kindOf(filter);
-        const QString suffix = kind.format->suffix();
-        dialog.setDefaultSuffix(suffix);
-        // The name is then none of a file.
-        dialog.setOption(QFileDialog::DontConfirmOverwrite, kind.isFilePerSheet);
-        const QFileInfo chosen(dialog.selectedFiles().value(0));
-        if (!chosen.isDir())
-            dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
-    });
-    const QString path = dialog.target();
-    if (path.isEmpty())
+    return m_last ? m_last : rememberedTarget(model);
+}
+
+bool Exporting::ask(const QString &suggestion, const QString &model)
+{
+    if (m_bench.session().hasPreview())
+        m_bench.escape(); // a section that is still being drawn is not cut
+    const std::optional<ExportTarget> before = target(model);
+    const QString base = before ? withoutExportSuffix(before->path) : suggestion;
+    ExportDialog dialog(
+        m_bench, m_checks, filesToChoose(),
+        [&](QWidget *parent, const ExportFile &file) {
+            return askForPath(parent, kindNamed(file.key), base);
+        },
+        &m_window);
+    const bool goesOn = dialog.exec() == QDialog::Accepted;
+    if (dialog.problem())
+        Q_EMIT problemWanted(*dialog.problem());
+    else if (!dialog.sections().empty())
+        Q_EMIT sectionsWanted(dialog.sections());
+    if (!goesOn)
         return false;
-    return kindOf(dialog.selectedNameFilter()).isFilePerSheet ? writeSheets(path) : write(path);
+    const ExportTarget target{dialog.target(), dialog.choices().file};
+    if (!writeTo(target, model, Replaces::Asking))
+        return false;
+    if (dialog.choices().opensFolder)
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(target.path).absolutePath()));
+    return true;
+}
+
+QString Exporting::askForPath(QWidget *parent, const ExportKind &kind, const QString &suggestion)
+{
+    FileDialog dialog(parent, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
+                      kind.filter);
+    const QString suffix = kind.format->suffix();
+    dialog.setObjectName(QStringLiteral("exportFileDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    // The name is then none of a file.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite, kind.isFilePerSheet);
+    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + suffix);
+    return dialog.target();
+}
+
+bool Exporting::again(const QString &model)
+{
+    const std::optional<ExportTarget> last = target(model);
+    return last && writeTo(*last, model, Replaces::Unasked);
+}
+
+bool Exporting::writeTo(const ExportTarget &target, const QString &model, Replaces replaces)
+{
+    const ExportKind kind = kindNamed(target.kind);
+    m_model = model;
+    if (!prepare(target.path))
+        return false;
+    const bool isWritten = kind.format->writesSolids() ? writeSolids(target.path, kind)
+                                                       : writeDrawing(target.path, kind, replaces);
+    if (isWritten) {
+        m_last = target;
+        rememberTarget(model, target);
+        Q_EMIT exported();
+    }
+    return isWritten;
 }
 
 bool Exporting::write(const QString &path)
 {
-    if (!prepare(path))
-        return false;
-    return formatFor(path).writesSolids() ? writeSolids(path) : writeDrawing(path, false);
+    return writeTo({path, kindOf(path, false).key}, m_model, Replaces::Unasked);
 }
 
 bool Exporting::writeSheets(const QString &path)
 {
-    return prepare(path) && writeDrawing(path, true);
+    return writeTo({path, kindOf(path, true).key}, m_model, Replaces::Asking);
 }
 
 bool Exporting::prepare(const QString &path)
@@ -99,28 +171,28 @@ bool Exporting::finishAnalysis(const QString &path)
                           [&scheduler] { return scheduler.isSettled(kAnalysed.name); }))
         return false;
     const std::optional<Error> why = scheduler.whyNot(kAnalysed.name);
-    return !why || tellFailure(path, *why);
+    return !why || tellFailure(path, kindOf(path, false), *why);
 }
 
-bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
+bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replaces replaces)
 {
     const QString name = QFileInfo(path).fileName();
     io::CuttingFileOptions options;
-    options.isFilePerSheet = isFilePerSheet;
-    if (const io::Format &format = formatFor(path); format.writesCutting())
-        options.format = &format;
+    static_cast<CuttingOptions &>(options) = rememberedChoices().cutting();
+    options.isFilePerSheet = kind.isFilePerSheet;
+    options.format = kind.format;
     const QString doing = tr("Exporting %1…").arg(name);
     const auto made = inBackground<Result<io::CuttingFile>>(
         m_window, doing, MayCancel::No, [analysis = m_bench.session().analysisPointer(), options] {
             return io::makeCuttingFile(*analysis, options);
         });
     if (!*made)
-        return tellFailure(path, made->error());
+        return tellFailure(path, kind, made->error());
     const io::CuttingFile &file = **made;
     std::vector<io::NamedBytes> files{{path, file.whole}};
-    if (isFilePerSheet) {
+    if (kind.isFilePerSheet) {
         files = io::numberedFiles(path, file.sheets, options.format->suffix());
-        if (!mayReplace(m_window, files))
+        if (replaces == Replaces::Asking && !mayReplace(m_window, files))
             return false;
     }
     const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
@@ -128,9 +200,9 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
                                  : io::writeFiles(files);
     });
     if (!*written)
-        return tellFailure(path, written->error());
+        return tellFailure(path, kind, written->error());
     QStringList warnings = warningsOf(file);
-    if (isFilePerSheet)
+    if (kind.isFilePerSheet)
         warnings += olderSheets(path, files.size(), options.format->suffix());
     m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
     const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
@@ -143,45 +215,48 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
 
 void Exporting::tellDone(const io::CuttingFile &file, const QString &name)
 {
-    const QString parts = tr("%n part(s)", nullptr, file.partCount);
-    const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount());
+    const QString parts = partCountText(file.partCount);
+    const QString sheets = sheetCountText(file.sheetCount());
     m_status.say(file.slitWidth ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
                                       .arg(parts, sheets, name,
                                            lengthText(*file.slitWidth, 2, 3, m_window.locale()))
                                 : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
 }
 
-bool Exporting::writeSolids(const QString &path)
+bool Exporting::writeSolids(const QString &path, const ExportKind &kind)
 {
     const QString name = QFileInfo(path).fileName();
     const AnalysisPointer analysis = m_bench.session().analysisPointer();
     if (analysis->model.sectionCount() == 0)
-        return tellFailure(path, Error{ErrorCode::NothingToExport, {}, {}});
+        return tellFailure(path, kind, Error{ErrorCode::NothingToExport, {}, {}});
     const auto written = inBackground<Result<void>>(
-        m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path] {
-            return formatFor(path)
-                .writeSolids(analysis->model, analysis->bodies, {})
+        m_window, tr("Exporting %1…").arg(name), MayCancel::No,
+        [analysis, path, format = kind.format] {
+            return format->writeSolids(analysis->model, analysis->bodies, {})
                 .and_then(
                     [&path](const std::string &solids) { return io::writeFile(path, solids); });
         });
     if (!*written)
-        return tellFailure(path, written->error());
+        return tellFailure(path, kind, written->error());
     m_messages.hide();
     m_status.say(
         tr("Exported %1 as solids to %2.")
-            .arg(tr("%n section(s)", nullptr, static_cast<int>(analysis->model.sectionCount())),
-                 name));
+            .arg(sectionCountText(static_cast<int>(analysis->model.sectionCount())), name));
     return true;
 }
 
-bool Exporting::tellFailure(const QString &path, const Error &error)
+bool Exporting::tellFailure(const QString &path, const ExportKind &kind, const Error &error)
 {
-    const QString base = QFileInfo(path).absolutePath() + u'/' + QFileInfo(path).completeBaseName();
     const bool isOfStock =
         error.code == ErrorCode::ClosedSlit || error.code == ErrorCode::CannotOffset;
     const MessageBar::Verb mend =
         isOfStock ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
-                  : MessageBar::Verb{tr("Export somewhere else…"), [this, base] { ask(base); }};
+                  : MessageBar::Verb{tr("Export somewhere else…"), [this, path, kind] {
+                                         const QString other =
+                                             askForPath(&m_window, kind, withoutExportSuffix(path));
+                                         if (!other.isEmpty())
+                                             writeTo({other, kind.key}, m_model, Replaces::Asking);
+                                     }};
     const QString failure = saveFailure(path, error);
     m_messages.show(MessageBar::Severity::Error, {failure}, {mend}, failureDetails(path, error));
     // What is changed then may have mended it.
@@ -211,21 +286,8 @@ QStringList Exporting::olderSheets(const QString &path, std::size_t count, const
 QStringList Exporting::warningsOf(const io::CuttingFile &file)
 {
     QStringList warnings;
-    for (const std::string &section : file.withoutPart)
-        warnings += tr("The slits of %1 leave nothing of it. It is not cut.")
-                        .arg(QString::fromStdString(section));
-    for (const std::string &section : file.oversized) {
-        warnings += tr("%1 is larger than the sheet. It lies on a sheet of its own size.")
-                        .arg(QString::fromStdString(section));
-    }
-    for (const std::string &section : file.unmarked)
-        warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
-    for (const std::string &section : file.uncut)
-        warnings += tr("%1 has a hole or a notch that is narrower than the kerf and is not cut.")
-                        .arg(QString::fromStdString(section));
-    for (const std::string &section : file.unmarkedJoints)
-        warnings += tr("%1 has no room for the numbers of all its joints.")
-                        .arg(QString::fromStdString(section));
+    for (const CuttingRemark &remark : cuttingRemarks(file))
+        warnings += remark.text;
     return warnings;
 }
 

@@ -1,8 +1,14 @@
-// Export: asks for a file, writes the parts for a cutter or the solids for another program, and
-// says what to look out for. The window stays alive meanwhile.
+// Export: shows what will be cut (ui/export_dialog.h), asks for a file, writes the parts for a
+// cutter or the solids for another program, and says what to look out for. The window stays alive
+// meanwhile.
 #pragma once
 
-#include <QObject>
+#include <QObject> // first: moc stumbles over some standard headers
+
+#include "core/analysis/finding.h"
+#include "ui/files/export_targets.h"
+#include "ui/files/format_filters.h"
+
 #include <QStringList>
 
 class QWidget;
@@ -12,6 +18,7 @@ struct CuttingFile;
 }
 
 namespace fff {
+class CheckList;
 struct Error;
 } // namespace fff
 
@@ -25,10 +32,16 @@ class Exporting : public QObject
 {
     Q_OBJECT
 public:
-    Exporting(Workbench &bench, MessageBar &messages, StatusLine &status, QWidget &window);
+    Exporting(Workbench &bench, const CheckList &checks, MessageBar &messages, StatusLine &status,
+              QWidget &window);
 
-    /// suggestion  path without a suffix
-    bool ask(const QString &suggestion);
+    /// The panel. suggestion  path without a suffix, where the model was not exported yet; model
+    /// its file's path, or empty
+    bool ask(const QString &suggestion, const QString &model);
+    /// What was exported last, over it and without a question.
+    bool again(const QString &model);
+    bool canAgain(const QString &model) const { return target(model).has_value(); }
+
     /// In the format that the suffix names, else as a drawing. False when nothing was written.
     bool write(const QString &path);
     /// A drawing for each sheet: OUT-1.svg, OUT-2.svg, … for OUT.svg. Asks before it replaces
@@ -38,23 +51,35 @@ public:
 Q_SIGNALS:
     /// To change what cannot be cut as it is.
     void stocksWanted();
+    /// Somebody wants to see it in the model.
+    void problemWanted(const fff::Finding &problem);
+    void sectionsWanted(const std::vector<fff::SectionRef> &sections);
+    void exported();
 
 private:
+    enum class Replaces { Asking, Unasked };
+
+    std::optional<ExportTarget> target(const QString &model) const;
+    QString askForPath(QWidget *parent, const ExportKind &kind, const QString &suggestion);
+    bool writeTo(const ExportTarget &target, const QString &model, Replaces replaces);
     bool prepare(const QString &path);
-    bool writeDrawing(const QString &path, bool isFilePerSheet);
+    bool writeDrawing(const QString &path, const ExportKind &kind, Replaces replaces);
     void tellDone(const io::CuttingFile &file, const QString &name);
-    bool writeSolids(const QString &path);
+    bool writeSolids(const QString &path, const ExportKind &kind);
     bool finishAnalysis(const QString &path);
-    bool tellFailure(const QString &path, const fff::Error &error);
+    bool tellFailure(const QString &path, const ExportKind &kind, const fff::Error &error);
     static QStringList warningsOf(const io::CuttingFile &file);
     /// What an earlier export with more sheets has left, in a sentence; empty: nothing.
     static QStringList olderSheets(const QString &path, std::size_t count, const QString &suffix);
 
     Workbench &m_bench;
+    const CheckList &m_checks;
     MessageBar &m_messages;
     StatusLine &m_status;
     QWidget &m_window;
-    QString m_refusal; // said last
+    QString m_refusal;                  // said last
+    QString m_model;                    // that is exported, its file; may be empty
+    std::optional<ExportTarget> m_last; // of this document
 };
 
 } // namespace fff::ui

@@ -49,12 +49,18 @@ QString saveFilter()
 std::vector<ExportKind> exportKinds()
 {
     std::vector<ExportKind> kinds;
+    const auto add = [&kinds](const Format &format, const char *title, bool isFilePerSheet) {
+        const QString key = QLatin1String(format.key);
+        kinds.push_back({isFilePerSheet ? key + QStringLiteral("/sheets") : key,
+                         QCoreApplication::translate("Format", title), titled(format, title),
+                         &format, isFilePerSheet});
+    };
     for (const Format *format : io::formatsThat(&Format::writesCutting)) {
-        kinds.push_back({titled(*format, format->title), format, false});
-        kinds.push_back({titled(*format, format->titleOfSheets), format, true});
+        add(*format, format->title, false);
+        add(*format, format->titleOfSheets, true);
     }
     for (const Format *format : io::formatsThat(&Format::writesSolids))
-        kinds.push_back({titled(*format, format->title), format, false});
+        add(*format, format->title, false);
     return kinds;
 }
 

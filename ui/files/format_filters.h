@@ -20,6 +20,8 @@ QString saveFilter();
 /// One row of what Export offers.
 struct ExportKind
 {
+    QString key;    // by which it is remembered: "svg", "svg/sheets"
+    QString title;  // "Drawings for cutters"
     QString filter; // "Drawings for cutters (*.svg)"
     const io::Format *format = nullptr;
     bool isFilePerSheet = false;

@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
@@ -83,6 +85,17 @@ void PropertyRow::setMarked(bool marked, const QString &tip)
     words.setBold(marked);
     m_label->setFont(words);
     showName();
+}
+
+void PropertyRow::alignLabels(const std::vector<PropertyRow *> &rows)
+{
+    int width = kLabelWidth;
+    for (const PropertyRow *row : rows) {
+        row->m_label->ensurePolished();
+        width = std::max(width, row->m_label->sizeHint().width());
+    }
+    for (PropertyRow *row : rows)
+        row->m_label->setMinimumWidth(width);
 }
 
 /// What is read out when it has the focus.
@@ -201,6 +214,7 @@ PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
 {
     m_title->setObjectName(QStringLiteral("groupTitle"));
     m_title->setText(name);
+    m_title->setAutoDefault(false); // in a dialog Enter in a field would fold it
     m_title->setHidden(name.isEmpty());
     m_title->setIcon(themedIcon(QStringLiteral("chevron_down")));
     m_title->setIconSize({14, 14});

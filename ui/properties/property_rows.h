@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 class QToolButton;
 
@@ -35,6 +36,9 @@ public:
     void setName(const QString &pattern, const QString &of = {});
     /// Marked: a person has set it, in place of what it is by itself. tip: says so.
     void setMarked(bool marked, const QString &tip);
+    /// Labels of rows that stand below one another, as wide as the widest, so that their editors
+    /// begin at one line.
+    static void alignLabels(const std::vector<PropertyRow *> &rows);
 
 protected:
     PropertyRow(const QString &name, QWidget *parent);

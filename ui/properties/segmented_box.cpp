@@ -49,6 +49,12 @@ void SegmentedBox::setCurrent(int index)
     }
 }
 
+void SegmentedBox::setText(int index, const QString &text)
+{
+    if (QAbstractButton *button = m_buttons->button(index))
+        button->setText(text);
+}
+
 int SegmentedBox::current() const
 {
     return m_buttons->checkedId();

@@ -18,6 +18,7 @@ public:
     /// Announces nothing; −1: none is chosen.
     void setCurrent(int index);
     int current() const;
+    void setText(int index, const QString &text);
     /// What is read out of each button, before its text.
     void setSpoken(const QString &name);
 

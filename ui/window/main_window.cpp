@@ -84,7 +84,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
         this);
     setStatusBar(m_status);
     makeDocks();
-    m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
+    m_files = new DocumentFiles(*m_bench, *m_checkList, *m_messages, *m_status, *this);
     m_unsaved = new UnsavedWork(*m_bench, *m_files, *m_messages, this);
     m_stepsExport = new StepsExport(*m_messages, *m_status, *this);
     connect(m_steps, &StepsView::exportWanted, this, [this] {
@@ -110,6 +110,14 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     });
     connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
     connect(m_files, &DocumentFiles::stocksWanted, this, [this] { showStocks({}); });
+    connect(m_files, &DocumentFiles::problemWanted, m_checks,
+            qOverload<const Finding &>(&ChecksDock::choose));
+    connect(m_files, &DocumentFiles::sectionsWanted, this,
+            [this](const std::vector<SectionRef> &sections) {
+                m_bench->select(sections);
+                m_bench->run(QStringLiteral("view.fitSelection"));
+            });
+    connect(m_files, &DocumentFiles::exported, m_actions, &ActionSet::refresh);
     auto *drop = new FileDrop(*this);
     connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
     connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {

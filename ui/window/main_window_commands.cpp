@@ -42,6 +42,9 @@ constexpr CommandWords kWords[] = {
     {"file.export", FFF_TEXT("Command", "&Export cutting files…"), FFF_TEXT("Command", "Export…"),
      "Ctrl+Shift+E", "export",
      FFF_TEXT("Command", "Write the parts to a file for the laser cutter")},
+    {"file.exportAgain", FFF_TEXT("Command", "Export a&gain"), FFF_TEXT("Command", "Export again"),
+     "Ctrl+Shift+X", "export_again",
+     FFF_TEXT("Command", "Write the same file again, with the same choices")},
     {"file.revert", FFF_TEXT("Command", "Re&vert to saved"), FFF_TEXT("Command", "Revert"), "",
      "revert",
      FFF_TEXT("Command",
@@ -117,6 +120,16 @@ void MainWindow::addCommands()
             m_files->exportCuttingFile();
         },
         needsSections(m_bench->session()));
+    add(
+        "file.exportAgain", [this] { m_files->exportAgain(); },
+        [this,
+         needs = needsSections(m_bench->session())](const CommandParameters &parameters) -> WhyNot {
+            if (WhyNot why = needs(parameters))
+                return why;
+            if (m_files && m_files->canExportAgain())
+                return {};
+            return FFF_TEXT("Command", "It was not exported yet");
+        });
     add(
         "file.revert", [this] { m_files->revert(); },
         [this](const CommandParameters &) -> WhyNot {

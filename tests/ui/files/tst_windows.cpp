@@ -389,7 +389,11 @@ void TestWindows::aModelIsNotExportedOver()
 {
     const QString path = model("a.fff", 40);
     openFiles(*m_window, {path});
-    typeName(path);
+    whenShown<QDialog>("exportDialog", [&path](QDialog *panel) {
+        typeName(path);
+        QTest::mouseClick(panel->findChild<QPushButton *>(QStringLiteral("exportNow")),
+                          Qt::LeftButton);
+    });
     QVERIFY(m_window->files().exportCuttingFile());
     QVERIFY(io::readDocument(path));
     QVERIFY(QFile::exists(path + QStringLiteral(".svg")));

@@ -1,0 +1,80 @@
+// A hand at the Export panel: opens it as a person does, acts while it is there, and names a file
+// in the box that follows.
+#pragma once
+
+#include "tests/ui/window_fixture.h"
+#include "ui/dialogs/export_dialog.h"
+
+#include <QAbstractButton>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <functional>
+
+namespace fff::ui {
+
+/// The panel's sheets and its checks are those of the model.
+inline void awaitSheets(QDialog *dialog)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog->findChild<QLabel *>(QStringLiteral("exportState"))
+                                  ->text()
+                                  .startsWith(QStringLiteral("Working")),
+                             30000);
+}
+
+/// The command is run; `act` is done in the panel. How the panel is left is for `act`: what is
+/// still open then is cancelled.
+inline void inExportPanel(MainWindow &window, const std::function<void(QDialog *)> &act)
+{
+    bool isSeen = false;
+    whenShown<QDialog>("exportDialog", [&](QDialog *dialog) {
+        isSeen = true;
+        awaitSheets(dialog);
+        act(dialog);
+    });
+    actionOf(window, "file.export")->trigger();
+    QVERIFY(isSeen);
+}
+
+/// Answers the file box that comes next.
+inline void nameTheFile(const QString &path)
+{
+    auto *timer = new QTimer(qApp);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
+        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible())
+            return;
+        timer->deleteLater();
+        dialog->selectFile(path); // what was suggested is no more
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))
+            ->setText(QFileInfo(path).fileName());
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+    timer->start(20);
+}
+
+inline QAbstractButton *exportButton(QDialog *dialog)
+{
+    return dialog->findChild<QAbstractButton *>(QStringLiteral("exportNow"));
+}
+
+/// As a person types it, with Enter.
+inline void typeInto(QDialog *dialog, const char *field, const QString &text)
+{
+    auto *box = dialog->findChild<QDoubleSpinBox *>(QLatin1String(field));
+    QVERIFY2(box, field);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, text);
+    QTest::keyClick(box, Qt::Key_Return);
+}
+
+inline QString textOf(QDialog *dialog, const char *label)
+{
+    return dialog->findChild<QLabel *>(QLatin1String(label))->text();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,550 @@
+// The Export panel by real events: what it shows, what it changes, what it keeps, and what it
+// writes.
+#include <QTest>
+
+#include "core/session/check_list.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
+#include "tests/ui/dialogs/export_hand.h"
+#include "ui/base/sentence_label.h"
+#include "ui/base/translations.h"
+#include "ui/dialogs/export_preview.h"
+#include "ui/dialogs/sheet_view.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QTreeWidget>
+#include <QUndoStack>
+#include <QUrl>
+
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace fff;
+using namespace fff::ui;
+
+/// In place of a file manager.
+class FolderOpened : public QObject
+{
+    Q_OBJECT
+public:
+    QStringList folders;
+public Q_SLOTS:
+    void open(const QUrl &url) { folders += url.toLocalFile(); }
+};
+
+class TestExportDialog : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+
+    void aNewPersonCutsInFiveActions();
+    void theSlitWidthIsWorkedOut();
+    void cancelTakesAllBack();
+    void whatIsChangedIsOneStep();
+    void measuringAgainSetsTheThickness();
+    void aSheetOfOnesOwn();
+    void choicesAreKept();
+    void nonsenseInTheSettingsIsPassedOver();
+    void manySheetsAreTurned();
+    void severalStocksAreChosenFrom();
+    void allPartsAreListed();
+    void solidsHaveNoSheets();
+    void problemsAreShownAndForbidNothing();
+    void whatCannotBeCutIsSaid();
+    void exportAgainAsksNothing();
+    void exportAgainNeedsAnExport();
+    void aFullDiskLeavesTheOldFile();
+    void theFolderIsOpened();
+    void theSheetZoomsAndFits();
+
+private:
+    QString file(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
+    Session &session() { return m_window->bench().session(); }
+    const Stock &stock() { return *session().committed().document.stocks.front(); }
+    void draw(const Document &document) { session().commit(QStringLiteral("draw"), document); }
+    std::string written(const char *name) const
+    {
+        return io::readFile(file(name)).value_or(std::string());
+    }
+    static QStringList remarks(QDialog *dialog);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    MainWindow *m_window = nullptr;
+};
+
+void TestExportDialog::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    Settings::setFile(file("settings.ini"));
+    m_window = openWindow();
+    m_window->show();
+    m_window->showDocument();
+}
+
+void TestExportDialog::cleanup()
+{
+    closeEverything();
+}
+
+QStringList TestExportDialog::remarks(QDialog *dialog)
+{
+    QStringList texts;
+    auto *area = dialog->findChild<QWidget *>(QStringLiteral("exportRemarks"));
+    for (const QLabel *label : area->findChildren<QLabel *>(QStringLiteral("remarkText")))
+        if (!label->isHidden() && !label->parentWidget()->isHidden())
+            texts += label->text();
+    return texts;
+}
+
+// Wrong: who has drawn the first section looks for the way to a file.
+void TestExportDialog::aNewPersonCutsInFiveActions()
+{
+    int actions = 1; // that drew it
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        ++actions; // Export…
+        QCOMPARE(dialog->focusWidget(), exportButton(dialog));
+        nameTheFile(file("first.svg"));
+        QTest::keyClick(exportButton(dialog), Qt::Key_Return);
+        actions += 2; // Enter here, and in the file box
+    });
+    QVERIFY(written("first.svg").find("<svg") != std::string::npos);
+    QVERIFY(actions <= 5);
+}
+
+// Wrong: an export whose slit width was never shown.
+void TestExportDialog::theSlitWidthIsWorkedOut()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        typeInto(dialog, "exportKerf", QStringLiteral("0.2"));
+        typeInto(dialog, "exportClearance", QStringLiteral("0.1"));
+        QCOMPARE(textOf(dialog, "exportSlitWidth"),
+                 QStringLiteral("2.90\u202Fmm = 3.00 + 0.10 − 0.20"));
+        typeInto(dialog, "exportClearance", QStringLiteral("-0.05"));
+        QCOMPARE(textOf(dialog, "exportSlitWidth"),
+                 QStringLiteral("2.75\u202Fmm = 3.00 − 0.05 − 0.20"));
+        typeInto(dialog, "exportKerf", QStringLiteral("4"));
+        QCOMPARE(textOf(dialog, "exportSlitWidth"),
+                 QStringLiteral("none: the kerf is wider than the slit"));
+    });
+}
+
+void TestExportDialog::cancelTakesAllBack()
+{
+    draw(squareDocument());
+    session().setClean();
+    const Document before = session().committed().document;
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        typeInto(dialog, "exportKerf", QStringLiteral("0.3"));
+        typeInto(dialog, "exportClearance", QStringLiteral("0.1"));
+        QCOMPARE(stock().kerf, 0.3);
+        QVERIFY(!session().isClean());
+        QTest::mouseClick(dialog->findChild<QAbstractButton *>(QStringLiteral("exportCancel")),
+                          Qt::LeftButton);
+    });
+    QVERIFY(session().committed().document.isSame(before));
+    QVERIFY(session().isClean());
+    // Escape is the same.
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        typeInto(dialog, "exportKerf", QStringLiteral("0.3"));
+        exportButton(dialog)->setFocus();
+        QTest::keyClick(exportButton(dialog), Qt::Key_Escape);
+    });
+    QVERIFY(session().committed().document.isSame(before));
+}
+
+void TestExportDialog::whatIsChangedIsOneStep()
+{
+    draw(squareDocument());
+    const int steps = session().history()->index();
+    for (int time : {1, 2}) { // what the panel changed before is a step of its own
+        inExportPanel(*m_window, [&](QDialog *dialog) {
+            typeInto(dialog, "exportKerf", QString::number(0.3 * time));
+            typeInto(dialog, "exportClearance", QString::number(0.1 * time));
+            nameTheFile(file(time == 1 ? "a.svg" : "b.svg"));
+            QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        });
+        QCOMPARE(session().history()->index(), steps + time);
+    }
+    QCOMPARE(stock().kerf, 0.6);
+    session().history()->undo();
+    QCOMPARE(stock().kerf, 0.3);
+    QCOMPARE(stock().clearance, 0.1);
+    session().history()->undo();
+    QCOMPARE(stock().kerf, birchPlywood().kerf);
+}
+
+void TestExportDialog::measuringAgainSetsTheThickness()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *field = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("exportThickness"));
+        QVERIFY(!field->isVisible());
+        auto *measure = dialog->findChild<QWidget *>(QStringLiteral("exportMeasure"));
+        QTest::mouseClick(measure->findChild<QAbstractButton *>(), Qt::LeftButton);
+        QVERIFY(field->isVisible());
+        QCOMPARE(dialog->focusWidget(), field);
+        typeInto(dialog, "exportThickness", QStringLiteral("2.95"));
+        QCOMPARE(stock().thickness, 2.95);
+        QVERIFY(textOf(dialog, "exportOnlyStock").contains(QStringLiteral("2.95\u202Fmm")));
+        QVERIFY(textOf(dialog, "exportSlitWidth").contains(QStringLiteral("= 2.95 +")));
+    });
+    QCOMPARE(stock().thickness, 3.0); // cancelled
+}
+
+void TestExportDialog::aSheetOfOnesOwn()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportSheet"));
+        auto *width = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("exportSheetWidth"));
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Home);
+        QCOMPARE(stock().sheet, Vec2(297, 210));
+        QVERIFY(!width->isVisible());
+        QTest::keyClick(box, Qt::Key_End);
+        QVERIFY(width->isVisible());
+        QCOMPARE(stock().sheet, Vec2(297, 210)); // until it is said which
+        typeInto(dialog, "exportSheetWidth", QStringLiteral("250"));
+        typeInto(dialog, "exportSheetHeight", QStringLiteral("150"));
+        QCOMPARE(stock().sheet, Vec2(250, 150));
+        awaitSheets(dialog);
+        const auto *view = dialog->findChild<SheetView *>();
+        QTRY_COMPARE(view->content().sheet->size, QSizeF(250, 150));
+        QVERIFY(view->content().caption.contains(QStringLiteral("250 × 150")));
+    });
+}
+
+void TestExportDialog::choicesAreKept()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        typeInto(dialog, "exportSpacing", QStringLiteral("4"));
+        typeInto(dialog, "exportMargin", QStringLiteral("12"));
+        auto *rotation = dialog->findChild<QComboBox *>(QStringLiteral("exportRotation"));
+        rotation->setFocus();
+        QTest::keyClick(rotation, Qt::Key_End);
+        dialog->findChild<QCheckBox *>(QStringLiteral("exportReference"))->click();
+        nameTheFile(file("a.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(written("a.svg").find("reference-100mm") == std::string::npos);
+    Settings::setFile(file("settings.ini")); // as at the next start
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        const auto value = [dialog](const char *name) {
+            return dialog->findChild<QDoubleSpinBox *>(QLatin1String(name))->value();
+        };
+        QCOMPARE(value("exportSpacing"), 4.0);
+        QCOMPARE(value("exportMargin"), 12.0);
+        QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportRotation"))->currentIndex(),
+                 1);
+        QVERIFY(!dialog->findChild<QCheckBox *>(QStringLiteral("exportReference"))->isChecked());
+        QCOMPARE(dialog->findChild<SheetView *>()->content().margin, 12.0);
+        // What is given up is not kept.
+        typeInto(dialog, "exportSpacing", QStringLiteral("9"));
+    });
+    QCOMPARE(rememberedChoices().layout.spacing, 4.0);
+}
+
+void TestExportDialog::nonsenseInTheSettingsIsPassedOver()
+{
+    const LayoutOptions usual;
+    settings().setMemory(QStringLiteral("export/spacing"), QStringLiteral("wide"));
+    settings().setMemory(QStringLiteral("export/margin"), -3);
+    settings().setMemory(QStringLiteral("export/file"), QStringLiteral("stl/none"));
+    QCOMPARE(rememberedChoices().layout.spacing, usual.spacing);
+    QCOMPARE(rememberedChoices().layout.margin, usual.margin);
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportFile"))->currentIndex(), 0);
+    });
+}
+
+void TestExportDialog::manySheetsAreTurned()
+{
+    Document document = squareDocument(320); // two of them do not lie beside each other
+    for (const double at : {100.0, 200.0})
+        document = test::withSection(document, document.sections.front()->shape, test::front(at));
+    draw(document);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *preview = dialog->findChild<ExportPreview *>();
+        auto *next = dialog->findChild<QAbstractButton *>(QStringLiteral("exportNextSheet"));
+        auto *previous =
+            dialog->findChild<QAbstractButton *>(QStringLiteral("exportPreviousSheet"));
+        QCOMPARE(preview->sheetCount(), 3);
+        QVERIFY(next->isVisible() && !previous->isEnabled());
+        QVERIFY(!dialog->findChild<SheetView *>()->content().hasReference);
+        QTest::mouseClick(next, Qt::LeftButton);
+        QTest::keyClick(dialog, Qt::Key_PageDown);
+        QCOMPARE(preview->sheet(), 2);
+        QVERIFY(!next->isEnabled());
+        QVERIFY(dialog->findChild<SheetView *>()->content().hasReference); // below the last one
+        QCOMPARE(dialog->findChild<QWidget *>(QStringLiteral("exportTabs"))
+                     ->findChild<QAbstractButton *>(QStringLiteral("segment"))
+                     ->text(),
+                 QStringLiteral("Sheet 3 of 3"));
+        QVERIFY(textOf(dialog, "exportTotals").contains(QStringLiteral("3 sheets")));
+        // Fewer sheets than the one that is shown.
+        auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportSheet"));
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_End);
+        typeInto(dialog, "exportSheetWidth", QStringLiteral("2000"));
+        QTRY_COMPARE(preview->sheetCount(), 1);
+        QCOMPARE(preview->sheet(), 0);
+        QVERIFY(!next->isVisible());
+    });
+}
+
+void TestExportDialog::severalStocksAreChosenFrom()
+{
+    Document document = *addStock(squareDocument(), flatfabAcrylic());
+    const Vec2 size = document.stocks.back()->sheet;
+    document = test::withSection(document, document.sections.front()->shape, test::front(50.0));
+    QVERIFY(document.sections.back()->stock != document.sections.front()->stock);
+    draw(document);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportStock"));
+        QVERIFY(box->isVisible());
+        QVERIFY(!dialog->findChild<QLabel *>(QStringLiteral("exportOnlyStock"))->isVisible());
+        QCOMPARE(box->count(), 2);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_End);
+        const auto *view = dialog->findChild<SheetView *>();
+        QCOMPARE(view->content().sheet->size, QSizeF(size.x(), size.y()));
+        QCOMPARE(view->content().sheet->number, 2);
+        typeInto(dialog, "exportKerf", QStringLiteral("0.4"));
+        QCOMPARE(session().committed().document.stocks.back()->kerf, 0.4);
+        QCOMPARE(stock().kerf, birchPlywood().kerf); // that of the other
+        nameTheFile(file("both.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(written("both.svg").find("sheet-2") != std::string::npos); // all are exported
+}
+
+void TestExportDialog::allPartsAreListed()
+{
+    Document document = squareDocument(40);
+    document = test::withSection(document, document.sections.front()->shape, test::front(100.0));
+    document = test::withSection(document, test::plateOf(0, 0, 30, 20), test::front(200.0));
+    draw(document);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        const auto segments = dialog->findChild<QWidget *>(QStringLiteral("exportTabs"))
+                                  ->findChildren<QAbstractButton *>(QStringLiteral("segment"));
+        QTest::mouseClick(segments.last(), Qt::LeftButton);
+        auto *table = dialog->findChild<QTreeWidget *>(QStringLiteral("partsTable"));
+        QVERIFY(table->isVisible());
+        QCOMPARE(table->topLevelItemCount(), 2); // two are the same
+        const auto *first = table->topLevelItem(0), *second = table->topLevelItem(1);
+        QCOMPARE(first->text(0), QStringLiteral("1, 2"));
+        QCOMPARE(first->text(4), QStringLiteral("2"));
+        QCOMPARE(first->text(2), QStringLiteral("40.0 × 40.0\u202Fmm"));
+        QCOMPARE(second->text(2), QStringLiteral("30.0 × 20.0\u202Fmm"));
+        QCOMPARE(second->text(3), QStringLiteral("6.0\u202Fcm²"));
+        // Four sides of two squares, and of one plate, half a kerf outside.
+        QVERIFY2(textOf(dialog, "exportTotals").contains(QStringLiteral("0.4 m of cutting")),
+                 qPrintable(textOf(dialog, "exportTotals")));
+    });
+}
+
+void TestExportDialog::solidsHaveNoSheets()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportFile"));
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_End);
+        for (const char *name : {"exportSheet", "exportKerf", "exportSpacing", "exportTabs"})
+            QVERIFY2(!dialog->findChild<QWidget *>(QLatin1String(name))->isVisible(), name);
+        QVERIFY(dialog->findChild<QWidget *>(QStringLiteral("exportClearance"))->isVisible());
+        QCOMPARE(textOf(dialog, "exportTotals"), QStringLiteral("<b>1 section</b> as solids"));
+        nameTheFile(file("solids"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(written("solids.obj").find("\nf ") != std::string::npos);
+}
+
+void TestExportDialog::problemsAreShownAndForbidNothing()
+{
+    Document document = squareDocument();
+    // Beside the other, touching nothing.
+    document = test::withSection(document, test::plateOf(0, 0, 30, 20), test::front(200.0));
+    draw(document);
+    auto *checks = m_window->findChild<CheckList *>();
+    QTRY_COMPARE(checks->age(), CheckList::Age::Current);
+    const auto isError = [](const Finding &finding) {
+        return finding.severity == Severity::Error && !finding.sections.empty();
+    };
+    QTRY_VERIFY(std::any_of(checks->all().begin(), checks->all().end(), isError));
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        QTRY_COMPARE(exportButton(dialog)->text(), QStringLiteral("Export anyway"));
+        QVERIFY(exportButton(dialog)->isEnabled());
+        nameTheFile(file("wrong.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(!written("wrong.svg").empty());
+
+    m_window->bench().select({});
+    const int steps = session().history()->index();
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        typeInto(dialog, "exportKerf", QStringLiteral("0.25"));
+        auto *row = dialog->findChild<QWidget *>(QStringLiteral("remark0"));
+        QVERIFY(row);
+        auto *link = row->findChild<QAbstractButton *>(QStringLiteral("checkLink0"));
+        QVERIFY(link);
+        QTest::mouseClick(link, Qt::LeftButton);
+        QVERIFY(!dialog->isVisible());
+    });
+    QVERIFY(!m_window->bench().interaction().selection().empty());
+    QCOMPARE(stock().kerf, 0.25); // who looks at a problem goes on from there
+    QCOMPARE(session().history()->index(), steps + 1);
+}
+
+// Wrong: a button that writes nothing and does not say why.
+void TestExportDialog::whatCannotBeCutIsSaid()
+{
+    const Model cross = test::twoSections(test::plateOf(-50, 0, 50, 60), test::front(),
+                                          test::plateOf(-50, 0, 50, 60), test::side());
+    draw(cross.document);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        QVERIFY(exportButton(dialog)->isEnabled());
+        typeInto(dialog, "exportKerf", QStringLiteral("4"));
+        QTRY_VERIFY(!exportButton(dialog)->isEnabled());
+        QVERIFY2(remarks(dialog).first().startsWith(QStringLiteral("<b>Cannot be cut.</b>")),
+                 qPrintable(remarks(dialog).join(u'\n')));
+        typeInto(dialog, "exportKerf", QStringLiteral("0.2"));
+        QTRY_VERIFY(exportButton(dialog)->isEnabled());
+        QVERIFY(!remarks(dialog).isEmpty() && !remarks(dialog).first().isEmpty());
+    });
+}
+
+void TestExportDialog::exportAgainAsksNothing()
+{
+    draw(squareDocument(40));
+    QVERIFY(m_window->files().saveFile(file("model.fff")));
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        typeInto(dialog, "exportMargin", QStringLiteral("7"));
+        nameTheFile(file("again.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    const std::string first = written("again.svg");
+    QVERIFY(!first.empty());
+    draw(squareDocument(55));
+    QAction *again = actionOf(*m_window, "file.exportAgain");
+    QVERIFY(again->isEnabled());
+    QCOMPARE(again->shortcut(), QKeySequence(QStringLiteral("Ctrl+Shift+X")));
+    again->trigger(); // a question would hang here
+    QVERIFY(written("again.svg") != first);
+    const std::string reach = QByteArray::number(7.0 + 55.0 + stock().kerf).toStdString();
+    QVERIFY2(written("again.svg").find(reach) != std::string::npos, "the margin that was chosen");
+    const QString said =
+        m_window->findChild<SentenceLabel *>(QStringLiteral("statusSentence"))->text();
+    QVERIFY2(said.startsWith(QStringLiteral("Exported 1 part on 1 sheet to again.svg")),
+             qPrintable(said));
+    // Another day, another window: the model's file knows where it went.
+    QVERIFY(m_window->files().saveFile(file("model.fff")));
+    closeEverything();
+    m_window = openWindow();
+    QVERIFY(m_window->files().openFile(file("model.fff")));
+    QVERIFY(QFile::remove(file("again.svg")));
+    QVERIFY(actionOf(*m_window, "file.exportAgain")->isEnabled());
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    QVERIFY(!written("again.svg").empty());
+}
+
+void TestExportDialog::exportAgainNeedsAnExport()
+{
+    const auto whyNot = [&] { return actionOf(*m_window, "file.exportAgain")->toolTip(); };
+    QVERIFY(!actionOf(*m_window, "file.export")->isEnabled());
+    QVERIFY(actionOf(*m_window, "file.export")
+                ->toolTip()
+                .contains(QStringLiteral("There is no section yet")));
+    draw(squareDocument());
+    QVERIFY(actionOf(*m_window, "file.export")->isEnabled());
+    QVERIFY(!actionOf(*m_window, "file.exportAgain")->isEnabled());
+    QVERIFY2(whyNot().contains(QStringLiteral("It was not exported yet")), qPrintable(whyNot()));
+    QVERIFY(m_window->files().exportFile(file("a.svg")));
+    QVERIFY(actionOf(*m_window, "file.exportAgain")->isEnabled());
+}
+
+void TestExportDialog::aFullDiskLeavesTheOldFile()
+{
+    draw(squareDocument());
+    QVERIFY(m_window->files().exportFile(file("full.svg")));
+    const std::string old = written("full.svg");
+    draw(squareDocument(50));
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit full{64, before.rlim_max};
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &full), 0);
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, SIG_DFL);
+    QVERIFY2(messagesOf(*m_window)->text().contains(QStringLiteral("full.svg")),
+             qPrintable(messagesOf(*m_window)->text()));
+    QCOMPARE(written("full.svg"), old);
+    auto *verb = m_window->findChild<QPushButton *>(QStringLiteral("messageVerb"));
+    QCOMPARE(verb->text(), QStringLiteral("Export somewhere else…"));
+    nameTheFile(file("elsewhere.svg"));
+    verb->click();
+    QVERIFY(!written("elsewhere.svg").empty());
+}
+
+void TestExportDialog::theFolderIsOpened()
+{
+    FolderOpened desktop;
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), &desktop, "open");
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        QTest::mouseClick(dialog->findChild<QCheckBox *>(QStringLiteral("exportOpensFolder")),
+                          Qt::LeftButton, {}, {8, 8});
+        nameTheFile(file("a.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    QCOMPARE(desktop.folders, QStringList{QFileInfo(file("a.svg")).absolutePath()});
+}
+
+void TestExportDialog::theSheetZoomsAndFits()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *view = dialog->findChild<SheetView *>();
+        const QPointF place = view->transform().map(QPointF(25.0, 25.0)); // on the plate
+        QCOMPARE(view->partAt(place), 0);
+        QCOMPARE(view->partAt({1.0, 1.0}), -1);
+        QWheelEvent wheel(place, view->mapToGlobal(place), {}, {0, 480}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(view, &wheel);
+        QVERIFY(!view->isFitted());
+        // What is under the cursor stays there.
+        const QPointF now = view->transform().map(QPointF(25.0, 25.0));
+        QVERIFY((now - place).manhattanLength() < 1e-6);
+        auto *fit = dialog->findChild<QAbstractButton *>(QStringLiteral("exportFitSheet"));
+        QVERIFY(fit->isEnabled());
+        QTest::mouseClick(fit, Qt::LeftButton);
+        QVERIFY(view->isFitted() && !fit->isEnabled());
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_Plus);
+        QVERIFY(!view->isFitted());
+        QTest::keyClick(view, Qt::Key_Home);
+        QVERIFY(view->isFitted());
+    });
+}
+
+FFF_TEST_WITH(TestExportDialog, [](int argc, char *argv[]) {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setQuitOnLastWindowClosed(false);
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    installTranslations(application);
+    TestExportDialog test;
+    return QTest::qExec(&test, argc, argv);
+})
+#include "tst_export_dialog.moc"

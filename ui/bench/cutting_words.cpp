@@ -1,0 +1,50 @@
+#include "ui/bench/cutting_words.h"
+
+#include <QCoreApplication>
+
+namespace fff::ui {
+
+namespace {
+
+struct CuttingTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::Exporting)
+};
+
+} // namespace
+
+std::vector<CuttingRemark> cuttingRemarks(const Cutting &cutting)
+{
+    std::vector<CuttingRemark> remarks;
+    const auto add = [&remarks](const std::vector<std::string> &sections, const QString &sentence) {
+        for (const std::string &section : sections)
+            remarks.push_back({sentence.arg(QString::fromStdString(section)), section});
+    };
+    add(cutting.withoutPart,
+        CuttingTexts::tr("The slits of %1 leave nothing of it. It is not cut."));
+    add(cutting.oversized,
+        CuttingTexts::tr("%1 is larger than the sheet. It lies on a sheet of its own size."));
+    add(cutting.unmarked, CuttingTexts::tr("%1 is too slim to carry its number."));
+    add(cutting.uncut, CuttingTexts::tr("%1 has a hole or a notch that is narrower than the kerf "
+                                        "and is not cut."));
+    add(cutting.unmarkedJoints,
+        CuttingTexts::tr("%1 has no room for the numbers of all its joints."));
+    return remarks;
+}
+
+QString partCountText(int count)
+{
+    return CuttingTexts::tr("%n part(s)", nullptr, count);
+}
+
+QString sheetCountText(int count)
+{
+    return CuttingTexts::tr("%n sheet(s)", nullptr, count);
+}
+
+QString sectionCountText(int count)
+{
+    return CuttingTexts::tr("%n section(s)", nullptr, count);
+}
+
+} // namespace fff::ui

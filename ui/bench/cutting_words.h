@@ -1,0 +1,25 @@
+// What is to be looked out for in what is cut, in sentences.
+#pragma once
+
+#include "core/analysis/cutting.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace fff::ui {
+
+struct CuttingRemark
+{
+    QString text;
+    std::string section; // that it is about, by name
+};
+
+std::vector<CuttingRemark> cuttingRemarks(const Cutting &cutting);
+
+// "38 parts", "1 sheet", "12 sections"
+QString partCountText(int count);
+QString sheetCountText(int count);
+QString sectionCountText(int count);
+
+} // namespace fff::ui

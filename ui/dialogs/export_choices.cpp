@@ -1,0 +1,62 @@
+#include "ui/dialogs/export_choices.h"
+
+#include "ui/settings/settings.h"
+
+namespace fff::ui {
+
+namespace {
+
+const QString kSpacingKey = QStringLiteral("export/spacing"),
+              kMarginKey = QStringLiteral("export/margin"),
+              kTurnsKey = QStringLiteral("export/turnsFreely"),
+              kReferenceKey = QStringLiteral("export/reference"),
+              kFolderKey = QStringLiteral("export/opensFolder"),
+              kFileKey = QStringLiteral("export/file");
+
+/// What cannot be made sense of is what is usual.
+double lengthKept(const QString &key, double usual, double most)
+{
+    bool isNumber = false;
+    const double kept = settings().memory(key).toDouble(&isNumber);
+    return isNumber && kept >= 0.0 && kept <= most ? kept : usual;
+}
+
+bool switchKept(const QString &key, bool usual)
+{
+    const QVariant kept = settings().memory(key);
+    return kept.isValid() ? kept.toBool() : usual;
+}
+
+} // namespace
+
+CuttingOptions ExportChoices::cutting() const
+{
+    CuttingOptions options;
+    options.layout = layout;
+    options.hasReference = hasReference;
+    return options;
+}
+
+ExportChoices rememberedChoices()
+{
+    ExportChoices choices;
+    choices.layout.spacing = lengthKept(kSpacingKey, choices.layout.spacing, kMostSpacing);
+    choices.layout.margin = lengthKept(kMarginKey, choices.layout.margin, kMostMargin);
+    choices.layout.turnsFreely = switchKept(kTurnsKey, choices.layout.turnsFreely);
+    choices.hasReference = switchKept(kReferenceKey, choices.hasReference);
+    choices.opensFolder = switchKept(kFolderKey, choices.opensFolder);
+    choices.file = settings().memory(kFileKey).toString();
+    return choices;
+}
+
+void rememberChoices(const ExportChoices &choices)
+{
+    settings().setMemory(kSpacingKey, choices.layout.spacing);
+    settings().setMemory(kMarginKey, choices.layout.margin);
+    settings().setMemory(kTurnsKey, choices.layout.turnsFreely);
+    settings().setMemory(kReferenceKey, choices.hasReference);
+    settings().setMemory(kFolderKey, choices.opensFolder);
+    settings().setMemory(kFileKey, choices.file);
+}
+
+} // namespace fff::ui

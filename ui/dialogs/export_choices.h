@@ -1,0 +1,38 @@
+// What a person has chosen for cutting files apart from what is the document's, kept from one
+// export to the next: it is of the machine and the habits, not of the model.
+#pragma once
+
+#include "core/analysis/cutting.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace fff::ui {
+
+/// One of the files that Export can write.
+struct ExportFile
+{
+    QString key;           // by which it is remembered
+    QString text;          // "Drawings for cutters (SVG)"
+    bool isSolids = false; // has no sheets, nor a kerf
+    bool isFilePerSheet = false;
+};
+
+struct ExportChoices
+{
+    LayoutOptions layout; // without a sheet: that is the stock's
+    bool hasReference = true;
+    bool opensFolder = false; // afterwards
+    QString file;             // key; empty: the first there is
+
+    CuttingOptions cutting() const;
+};
+
+// mm
+inline constexpr double kMostSpacing = 50.0, kMostMargin = 100.0;
+
+ExportChoices rememberedChoices();
+void rememberChoices(const ExportChoices &choices);
+
+} // namespace fff::ui

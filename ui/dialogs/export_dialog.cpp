@@ -1,0 +1,257 @@
+#include "ui/dialogs/export_dialog.h"
+
+#include "core/session/check_list.h"
+#include "ui/base/icon.h"
+#include "ui/base/lengths.h"
+#include "ui/base/theme.h"
+#include "ui/bench/cutting_words.h"
+#include "ui/bench/workbench.h"
+#include "ui/dialogs/cutting_work.h"
+#include "ui/dialogs/export_preview.h"
+#include "ui/dialogs/export_questions.h"
+#include "ui/dialogs/export_rows.h"
+#include "ui/dialogs/remark_rows.h"
+#include "ui/dialogs/stock_edits.h"
+#include "ui/properties/open_editor.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr QSize kUsualSize(1048, 700), kLeastSize(860, 560); // px
+constexpr int kLeastChoices = 345;                           // px, width of the left column
+constexpr double kMillimetresPerMetre = 1000.0, kMillimetresPerFoot = 304.8;
+
+/// "7.5 m"; "24.6 ft" for who counts in inches.
+QString cutText(double millimetres, const QLocale &locale)
+{
+    const bool isInches = settings().unit() == LengthUnit::Inch;
+    const double length = millimetres / (isInches ? kMillimetresPerFoot : kMillimetresPerMetre);
+    return QStringLiteral("%1 %2").arg(numberText(length, 1, 1, locale),
+                                       isInches ? QStringLiteral("ft") : QStringLiteral("m"));
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vector<ExportFile> files,
+                           ChooseTarget chooseTarget, QWidget *parent)
+    : QDialog(parent), m_bench(bench), m_checks(checks), m_chooseTarget(std::move(chooseTarget)),
+      m_choices(rememberedChoices())
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export cutting files"));
+    const QSize there = screen()->availableSize() - QSize(24, 44); // for its frame
+    setMinimumSize(kLeastSize.boundedTo(there));
+    resize(kUsualSize.boundedTo(there));
+    m_stocks = new StockEdits(bench, this);
+    m_work = new CuttingWork(bench.session(), this);
+    m_work->setOptions(m_choices.cutting());
+
+    auto *middle = new QHBoxLayout;
+    middle->setContentsMargins(16, 14, 16, 12);
+    middle->setSpacing(16);
+    middle->addWidget(makeChoices(std::move(files)));
+    auto *right = new QVBoxLayout;
+    right->setSpacing(10);
+    m_preview = new ExportPreview(*m_work, *m_stocks, m_choices, this);
+    m_remarks = new RemarkRows(m_preview->lastInOrder(), this);
+    right->addWidget(m_preview, 1);
+    right->addWidget(m_remarks);
+    middle->addLayout(right, 1);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(middle, 1);
+    column->addWidget(makeFoot());
+
+    connect(m_questions, &ExportQuestions::fileChanged, this, &ExportDialog::takeFile);
+    connect(m_rows, &ExportRows::layoutChanged, this, [this] {
+        m_work->setOptions(m_choices.cutting());
+        m_preview->refresh(); // margin and bar at once
+    });
+    connect(m_work, &CuttingWork::changed, this, &ExportDialog::refresh);
+    connect(&m_checks, &CheckList::changed, this, &ExportDialog::refresh);
+    connect(m_remarks, &RemarkRows::showWanted, this,
+            [this](int index) { showOf(m_remarks->remarks()[static_cast<std::size_t>(index)]); });
+    connect(&settings(), &Settings::unitChanged, this, &ExportDialog::refresh);
+    dress(this);
+    takeFile();
+}
+
+ExportDialog::~ExportDialog() = default;
+
+QWidget *ExportDialog::makeChoices(std::vector<ExportFile> files)
+{
+    auto *area = new QScrollArea(this);
+    area->setObjectName(QStringLiteral("exportChoices"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus); // its fields have it
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *all = new QWidget(area);
+    auto *column = new QVBoxLayout(all);
+    column->setContentsMargins(0, 0, 12, 0);
+    column->setSpacing(4);
+    m_questions = new ExportQuestions(*m_stocks, std::move(files), m_choices.file, all);
+    m_rows = new ExportRows(*m_stocks, m_choices, all);
+    column->addWidget(m_questions);
+    column->addWidget(m_rows);
+    column->addStretch(1);
+    area->setWidget(all);
+    // Nothing of it is cut off at the right, in any language.
+    all->ensurePolished();
+    const int bar = area->verticalScrollBar()->sizeHint().width();
+    area->setFixedWidth(std::max({kLeastChoices, all->minimumSizeHint().width(),
+                                  m_questions->leastWidth() + column->contentsMargins().right()}) +
+                        bar);
+    return area;
+}
+
+QWidget *ExportDialog::makeFoot()
+{
+    auto *foot = new QFrame(this);
+    foot->setObjectName(QStringLiteral("exportFoot")); // a line above it, by the style sheet
+    m_foot = new QLabel(foot);
+    m_foot->setObjectName(QStringLiteral("exportTotals"));
+    m_foot->setTextFormat(Qt::RichText);
+    m_opensFolder = new QCheckBox(tr("Open the folder afterwards"), foot);
+    m_opensFolder->setObjectName(QStringLiteral("exportOpensFolder"));
+    m_opensFolder->setChecked(m_choices.opensFolder);
+    auto *cancel = new QPushButton(tr("Cancel"), foot);
+    cancel->setObjectName(QStringLiteral("exportCancel"));
+    m_export = new QPushButton(foot);
+    m_export->setObjectName(QStringLiteral("exportNow"));
+    m_export->setIconSize({18, 18});
+    for (QPushButton *button : {cancel, m_export}) {
+        button->setAutoDefault(false); // Enter in a field is for the field
+        button->setMinimumHeight(28);
+    }
+    auto *row = new QHBoxLayout(foot);
+    row->setContentsMargins(16, 10, 16, 12);
+    row->setSpacing(12);
+    row->addWidget(m_foot);
+    row->addStretch(1);
+    row->addWidget(m_opensFolder);
+    row->addWidget(cancel);
+    row->addWidget(m_export);
+    connect(m_opensFolder, &QCheckBox::clicked, this,
+            [this](bool on) { m_choices.opensFolder = on; });
+    connect(cancel, &QPushButton::clicked, this, &ExportDialog::reject);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::goOn);
+    return foot;
+}
+
+void ExportDialog::takeFile()
+{
+    const ExportFile &file = m_questions->file();
+    m_choices.file = file.key;
+    m_rows->setSolids(file.isSolids);
+    m_preview->setFile(file);
+    refresh();
+}
+
+void ExportDialog::refresh()
+{
+    m_remarks->setRemarks(exportRemarks(m_checks, *m_work));
+    refreshFoot();
+    takeLeastWidth();
+}
+
+/// The foot is never cut off, however long its words are.
+void ExportDialog::takeLeastWidth()
+{
+    m_foot->parentWidget()->layout()->invalidate();
+    layout()->invalidate();
+    setMinimumWidth(std::max(minimumWidth(), layout()->minimumSize().width()));
+}
+
+void ExportDialog::refreshFoot()
+{
+    const Cutting *cutting = m_work->cutting();
+    const auto bold = [](const QString &text) { return QStringLiteral("<b>%1</b>").arg(text); };
+    if (cutting && m_questions->file().isSolids)
+        //: %1 are the sections of the model
+        m_foot->setText(tr("%1 as solids")
+                            .arg(bold(sectionCountText(
+                                static_cast<int>(m_bench.session().model().sectionCount())))));
+    else if (cutting)
+        //: %1 are the parts, %2 the sheets, %3 is how far the machine cuts
+        m_foot->setText(tr("%1 on %2 \u00B7 %3 of cutting")
+                            .arg(bold(partCountText(cutting->partCount)),
+                                 bold(sheetCountText(cutting->sheetCount())),
+                                 cutText(cutLength(cutting->drawing), locale())));
+    else
+        m_foot->setText(m_work->isWorking() ? tr("Working…") : QString());
+    const std::vector<ExportRemark> &remarks = m_remarks->remarks();
+    const bool isWrong = std::any_of(remarks.begin(), remarks.end(), [](const ExportRemark &r) {
+        return r.severity == Severity::Error;
+    });
+    m_export->setText(isWrong ? tr("Export anyway") : tr("Export…"));
+    const std::optional<Error> whyNot = m_work->whyNot();
+    // Why is among the remarks.
+    m_export->setEnabled(!whyNot || (m_questions->file().isSolids && m_work->made()));
+    const auto mask = [this](const QColor &colour) {
+        return tintedPixmap(QStringLiteral("export"), 18, colour, devicePixelRatioF());
+    };
+    QIcon icon(mask(theme().onAccent));
+    icon.addPixmap(mask(theme().muted), QIcon::Disabled);
+    m_export->setIcon(icon);
+}
+
+/// Closes, and keeps what was changed: whoever looks at a problem goes on from there.
+void ExportDialog::showOf(const ExportRemark &remark)
+{
+    m_problem = remark.finding;
+    m_sections = remark.sections;
+    rememberChoices(m_choices);
+    QDialog::reject();
+}
+
+void ExportDialog::goOn()
+{
+    commitOpenEditor();
+    m_target = m_chooseTarget(this, m_questions->file());
+    if (m_target.isEmpty())
+        return;
+    rememberChoices(m_choices);
+    accept();
+}
+
+void ExportDialog::reject()
+{
+    m_stocks->takeBack();
+    QDialog::reject();
+}
+
+void ExportDialog::keyPressEvent(QKeyEvent *event)
+{
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (auto *button = qobject_cast<QAbstractButton *>(focusWidget()); isEnter && button)
+        button->click();
+    else if (event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown)
+        m_preview->turnBy(event->key() == Qt::Key_PageUp ? -1 : 1);
+    else
+        QDialog::keyPressEvent(event);
+}
+
+/// Whoever has nothing to change presses Enter.
+void ExportDialog::showEvent(QShowEvent *event)
+{
+    QDialog::showEvent(event);
+    takeLeastWidth(); // its style, and so its fonts, are there by now
+    m_export->setFocus(Qt::OtherFocusReason);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,91 @@
+// The Export panel: what is cut, from which sheets, into which file; the sheets as they will be
+// cut; what is to be looked out for. It only asks: who opens it writes the file.
+//
+// What is the document's (thickness, kerf, clearance, sheet) is changed there at once, so that
+// slits, checks and sheets follow; all of it is one step of the history, and Cancel takes it back.
+#pragma once
+
+#include <QDialog> // first: moc stumbles over some standard headers
+
+#include "core/analysis/finding.h"
+#include "ui/dialogs/export_choices.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace fff {
+class CheckList;
+}
+
+namespace fff::ui {
+
+class CuttingWork;
+class ExportPreview;
+class ExportQuestions;
+class ExportRows;
+struct ExportRemark;
+class RemarkRows;
+class StockEdits;
+class Workbench;
+
+class ExportDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// Where to write; empty: it is not written yet.
+    using ChooseTarget = std::function<QString(QWidget *dialog, const ExportFile &file)>;
+
+    /// files  at least one
+    ExportDialog(Workbench &bench, const CheckList &checks, std::vector<ExportFile> files,
+                 ChooseTarget chooseTarget, QWidget *parent);
+    ~ExportDialog() override;
+
+    /// Once it was accepted. The choices are kept for the next time.
+    const QString &target() const { return m_target; }
+    const ExportChoices &choices() const { return m_choices; }
+
+    /// What is to be shown of the model in its place: a problem, or sections.
+    const std::optional<Finding> &problem() const { return m_problem; }
+    const std::vector<SectionRef> &sections() const { return m_sections; }
+
+    void reject() override;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+
+private:
+    QWidget *makeChoices(std::vector<ExportFile> files);
+    QWidget *makeFoot();
+    void refresh();
+    void refreshFoot();
+    void takeLeastWidth();
+    void takeFile();
+    void showOf(const ExportRemark &remark);
+    void goOn();
+
+    Workbench &m_bench;
+    const CheckList &m_checks;
+    ChooseTarget m_chooseTarget;
+    ExportChoices m_choices;
+    StockEdits *m_stocks = nullptr;
+    CuttingWork *m_work = nullptr;
+    ExportQuestions *m_questions = nullptr;
+    ExportRows *m_rows = nullptr;
+    ExportPreview *m_preview = nullptr;
+    RemarkRows *m_remarks = nullptr;
+    QLabel *m_foot = nullptr;
+    QCheckBox *m_opensFolder = nullptr;
+    QPushButton *m_export = nullptr;
+    QString m_target;
+    std::optional<Finding> m_problem;
+    std::vector<SectionRef> m_sections;
+};
+
+} // namespace fff::ui

@@ -1,0 +1,226 @@
+#include "ui/dialogs/export_questions.h"
+
+#include "core/model/materials.h"
+#include "ui/base/lengths.h"
+#include "ui/dialogs/question_row.h"
+#include "ui/dialogs/stock_words.h"
+#include "ui/properties/choice_box.h"
+#include "ui/properties/length_edit.h"
+#include "ui/properties/link_row.h"
+#include "ui/properties/stock_choice.h"
+#include "ui/properties/thickness_field.h"
+#include "ui/view/view_style.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr NumberEdit::Range kSheetSide{10.0, 10000.0, 10.0, 0, 1}; // mm
+
+ChoiceBox *choiceBox(const char *objectName, const QString &name, QWidget *parent)
+{
+    auto *box = new ChoiceBox(parent);
+    box->setObjectName(QLatin1String(objectName));
+    box->setAccessibleName(name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(20);
+    return box;
+}
+
+/// In commonSheets(); −1: it is none of them.
+int commonSheetOf(const Vec2 &size)
+{
+    const auto all = commonSheets();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const SheetSize &sheet) { return sheet.size == size; });
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+} // namespace
+
+ExportQuestions::ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files,
+                                 const QString &file, QWidget *parent)
+    : QWidget(parent), m_stocks(stocks), m_files(std::move(files))
+{
+    const auto kept = std::find_if(m_files.begin(), m_files.end(),
+                                   [&file](const ExportFile &one) { return one.key == file; });
+    if (kept != m_files.end())
+        m_file = static_cast<std::size_t>(kept - m_files.begin());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 4);
+    column->setSpacing(0);
+    m_questions.push_back(makeStock());
+    m_questions.push_back(m_sheetQuestion = makeSheet());
+    m_questions.push_back(makeFile());
+    for (QuestionRow *question : m_questions)
+        column->addWidget(question);
+    connect(&stocks, &StockEdits::changed, this, &ExportQuestions::refresh);
+    refresh();
+}
+
+QuestionRow *ExportQuestions::makeStock()
+{
+    auto *question = new QuestionRow(tr("Which stock?"), this);
+    m_stockBox = choiceBox("exportStock", tr("Which stock?"), question);
+    m_onlyStock = new QLabel(question);
+    m_onlyStock->setObjectName(QStringLiteral("exportOnlyStock"));
+    m_onlyStock->setTextFormat(Qt::RichText); // a chip and a name
+    m_onlyStock->setMinimumHeight(24);
+    auto *again = new LinkRow(question);
+    again->setObjectName(QStringLiteral("exportMeasure"));
+    again->setTexts({tr("Measure again")}); // its link comes before the field
+    m_measured = new QWidget(question);
+    auto *row = new QHBoxLayout(m_measured);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    auto *words = new QLabel(tr("Measured thickness"), m_measured);
+    m_thickness = new LengthEdit(ThicknessField::kRange, m_measured);
+    m_thickness->setObjectName(QStringLiteral("exportThickness"));
+    m_thickness->setAccessibleName(tr("Measured thickness"));
+    m_thickness->setAccessibleDescription(
+        tr("Of the sheet that you will cut, by calipers: slits are drawn to fit it."));
+    m_thickness->setToolTip(m_thickness->accessibleDescription());
+    words->setBuddy(m_thickness);
+    row->addWidget(words);
+    row->addWidget(m_thickness, 1);
+    m_measured->hide();
+    question->add(m_stockBox);
+    question->add(m_onlyStock);
+    question->add(again);
+    question->add(m_measured);
+    connect(m_stockBox, &QComboBox::activated, this, [this](int choice) {
+        m_stocks.choose(m_stocks.stocks()[static_cast<std::size_t>(choice)]);
+    });
+    connect(again, &LinkRow::clicked, this, &ExportQuestions::showThickness);
+    connect(m_thickness, &LengthEdit::lengthEdited, this,
+            [this](double mm) { m_stocks.edit([mm](Stock &stock) { stock.thickness = mm; }); });
+    return question;
+}
+
+void ExportQuestions::showThickness()
+{
+    m_measured->show();
+    m_thickness->setFocus();
+    m_thickness->selectAll();
+}
+
+QuestionRow *ExportQuestions::makeSheet()
+{
+    auto *question = new QuestionRow(tr("Which sheet?"), this);
+    m_sheetBox = choiceBox("exportSheet", tr("Which sheet?"), question);
+    m_ownSheet = new QWidget(question);
+    auto *row = new QHBoxLayout(m_ownSheet);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    for (const int axis : {0, 1}) {
+        m_sides[axis] = makeSide(axis);
+        if (axis == 1)
+            row->addWidget(new QLabel(QStringLiteral("×"), m_ownSheet));
+        row->addWidget(m_sides[axis], 1);
+    }
+    question->add(m_sheetBox);
+    question->add(m_ownSheet);
+    connect(m_sheetBox, &QComboBox::activated, this, &ExportQuestions::chooseSheet);
+    return question;
+}
+
+LengthEdit *ExportQuestions::makeSide(int axis)
+{
+    auto *side = new LengthEdit(kSheetSide, m_ownSheet);
+    side->setObjectName(axis == 0 ? QStringLiteral("exportSheetWidth")
+                                  : QStringLiteral("exportSheetHeight"));
+    side->setAccessibleName(axis == 0 ? tr("Width of the sheet") : tr("Height of the sheet"));
+    connect(side, &LengthEdit::lengthEdited, this, [this, axis](double mm) {
+        m_ownSizeOf = m_stocks.chosen();
+        m_stocks.edit([axis, mm](Stock &stock) { stock.sheet[axis] = mm; });
+    });
+    return side;
+}
+
+void ExportQuestions::chooseSheet(int choice)
+{
+    const auto all = commonSheets();
+    if (static_cast<std::size_t>(choice) < all.size()) {
+        m_ownSizeOf = {};
+        m_stocks.edit(
+            [&](Stock &stock) { stock.sheet = all[static_cast<std::size_t>(choice)].size; });
+        return;
+    }
+    m_ownSizeOf = m_stocks.chosen();
+    refresh();
+    m_sides[0]->setFocus();
+    m_sides[0]->selectAll();
+}
+
+int ExportQuestions::leastWidth() const
+{
+    int width = minimumSizeHint().width();
+    for (const QWidget *folded : {m_measured, m_ownSheet})
+        width = std::max(width, QuestionRow::kIndent + folded->minimumSizeHint().width());
+    return width;
+}
+
+QuestionRow *ExportQuestions::makeFile()
+{
+    auto *question = new QuestionRow(tr("Which file?"), this);
+    m_fileBox = choiceBox("exportFile", tr("Which file?"), question);
+    question->add(m_fileBox);
+    connect(m_fileBox, &QComboBox::activated, this, [this](int choice) {
+        m_file = static_cast<std::size_t>(choice);
+        refresh();
+        Q_EMIT fileChanged();
+    });
+    return question;
+}
+
+void ExportQuestions::refresh()
+{
+    const auto text = [this](const Stock &stock) {
+        //: %1 is the name of a stock, %2 its thickness
+        return tr("%1, %2 thick")
+            .arg(stockName(stock), lengthText(stock.thickness, 2, 3, locale()));
+    };
+    Choices stocks;
+    for (const StockId id : m_stocks.stocks()) {
+        const Stock &stock = *m_stocks.document().find(id);
+        if (id == m_stocks.chosen())
+            stocks.current = static_cast<int>(stocks.all.size());
+        stocks.all.push_back({text(stock), stockLook(stock).face});
+    }
+    m_stockBox->setChoices(stocks);
+    m_stockBox->setVisible(stocks.all.size() > 1);
+    m_onlyStock->setVisible(stocks.all.size() <= 1);
+    const Stock &stock = m_stocks.stock();
+    m_onlyStock->setText(
+        QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp; %2")
+            .arg(stockLook(stock).face.darker(115).name(), text(stock).toHtmlEscaped()));
+    m_thickness->setLength(stock.thickness);
+
+    Choices sheets;
+    for (const SheetSize &sheet : commonSheets())
+        sheets.all.push_back({sheetText(sheet, locale()), {}});
+    sheets.all.push_back({tr("Own size"), {}});
+    const int common = commonSheetOf(stock.sheet);
+    const bool isOwn = common < 0 || m_ownSizeOf == m_stocks.chosen();
+    sheets.current = isOwn ? static_cast<int>(sheets.all.size()) - 1 : common;
+    m_sheetBox->setChoices(sheets);
+    m_ownSheet->setVisible(isOwn);
+    for (const int axis : {0, 1})
+        m_sides[axis]->setLength(stock.sheet[axis]);
+
+    Choices files;
+    for (const ExportFile &file : m_files)
+        files.all.push_back({file.text, {}});
+    files.current = static_cast<int>(m_file);
+    m_fileBox->setChoices(files);
+    m_sheetQuestion->setVisible(!file().isSolids);
+    QuestionRow::number(m_questions);
+}
+
+} // namespace fff::ui

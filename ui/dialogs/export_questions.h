@@ -1,0 +1,60 @@
+// The questions of the Export panel: which stock, which sheet, which file. What is the document's
+// is changed there at once, as a step of the history.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include "ui/dialogs/export_choices.h"
+#include "ui/dialogs/stock_edits.h"
+
+#include <vector>
+
+class QLabel;
+
+namespace fff::ui {
+
+class ChoiceBox;
+class LengthEdit;
+class QuestionRow;
+
+class ExportQuestions : public QWidget
+{
+    Q_OBJECT
+public:
+    /// files  at least one
+    ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files, const QString &file,
+                    QWidget *parent = nullptr);
+
+    const ExportFile &file() const { return m_files[m_file]; }
+    void refresh();
+    /// px, with all answers in sight.
+    int leastWidth() const;
+
+Q_SIGNALS:
+    void fileChanged();
+
+private:
+    QuestionRow *makeStock();
+    QuestionRow *makeSheet();
+    QuestionRow *makeFile();
+    LengthEdit *makeSide(int axis);
+    void chooseSheet(int choice);
+    void showThickness();
+
+    StockEdits &m_stocks;
+    std::vector<ExportFile> m_files;
+    std::size_t m_file = 0;
+    std::vector<QuestionRow *> m_questions;
+    QuestionRow *m_sheetQuestion = nullptr;
+    ChoiceBox *m_stockBox = nullptr; // of several
+    QLabel *m_onlyStock = nullptr;   // in its place, where there is one
+    QWidget *m_measured = nullptr;
+    LengthEdit *m_thickness = nullptr;
+    ChoiceBox *m_sheetBox = nullptr;
+    QWidget *m_ownSheet = nullptr;
+    LengthEdit *m_sides[2] = {nullptr, nullptr};
+    ChoiceBox *m_fileBox = nullptr;
+    StockId m_ownSizeOf; // the stock for which a size of one's own was asked for
+};
+
+} // namespace fff::ui

@@ -1,0 +1,130 @@
+#include "ui/dialogs/export_remarks.h"
+
+#include "core/analysis/findings/sheet_fit.h"
+#include "core/io/error_text.h"
+#include "core/session/check_list.h"
+#include "ui/bench/check_words.h"
+#include "ui/bench/cutting_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+struct ExportRemarksTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::ExportRemarks)
+};
+
+// In the order in which they are said.
+constexpr Subject kSaidGood[] = {Subject::Stability, Subject::Connection, Subject::Assembly,
+                                 Subject::Strength, Subject::Size};
+
+/// Whether all parts fit is the drawing's to say: with the margin that is chosen here.
+bool isOfSheets(const Finding &finding)
+{
+    return finding.is(kTooLarge) || finding.is(kFitsSheet);
+}
+
+ExportRemark remarkOf(const FindingRow &row, const Model &model)
+{
+    const CheckWords words = checkWords(row.finding, model);
+    if (row.count > 1)
+        return {row.finding.severity,
+                //: %1 is a verdict, %2 how often it is so, two at least
+                ExportRemarksTexts::tr("%1, %2 times").arg(verdictText(row.finding)).arg(row.count),
+                {},
+                row.finding,
+                {}};
+    return {row.finding.severity, words.title, words.text, row.finding, {}};
+}
+
+std::vector<SectionRef> sectionsCalled(const Model &model, const std::string &name)
+{
+    std::vector<SectionRef> found;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        if (model.section(i)->name == name)
+            found.push_back(model.ref(i));
+    return found;
+}
+
+void addOfChecks(const CheckList &checks, bool isDrawn, std::vector<ExportRemark> &remarks)
+{
+    for (const FindingRow &row : inRows(checks.all())) {
+        const Severity severity = row.finding.severity;
+        const bool isUnknown = severity == Severity::Unknown;
+        if ((severity >= Severity::Warning || isUnknown) && !(isDrawn && isOfSheets(row.finding)))
+            remarks.push_back(remarkOf(row, checks.model()));
+    }
+}
+
+void addOfDrawing(const CuttingWork &work, std::vector<ExportRemark> &remarks)
+{
+    const Cutting *cutting = work.cutting();
+    if (!cutting)
+        return;
+    for (const CuttingRemark &remark : cuttingRemarks(*cutting))
+        remarks.push_back({Severity::Warning,
+                           {},
+                           remark.text,
+                           {},
+                           sectionsCalled(work.made()->analysis->model, remark.section)});
+}
+
+/// Nothing where none is known to be.
+void addGood(const CheckList &checks, const CuttingWork &work, std::vector<ExportRemark> &remarks)
+{
+    QStringList verdicts;
+    for (const Subject subject : kSaidGood) {
+        if (worst(checks.all(), subject) != Severity::Good)
+            continue;
+        if (subject == Subject::Size && work.cutting() && !work.cutting()->oversized.empty())
+            continue;
+        const auto found =
+            std::find_if(checks.all().begin(), checks.all().end(),
+                         [&](const Finding &finding) { return finding.subject() == subject; });
+        verdicts += verdictText(*found);
+    }
+    if (!verdicts.isEmpty())
+        remarks.push_back({Severity::Good, {}, verdicts.join(QStringLiteral(" \u00B7 ")), {}, {}});
+}
+
+} // namespace
+
+bool ExportRemark::operator==(const ExportRemark &other) const
+{
+    return severity == other.severity && title == other.title && text == other.text &&
+           sections == other.sections && finding.has_value() == other.finding.has_value() &&
+           (!finding || isSameVerdict(*finding, *other.finding));
+}
+
+std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWork &work)
+{
+    std::vector<ExportRemark> remarks;
+    if (const auto why = work.whyNot())
+        remarks.push_back({Severity::Error,
+                           ExportRemarksTexts::tr("Cannot be cut"),
+                           io::errorSentence(*why),
+                           {},
+                           {}});
+    addOfChecks(checks, work.cutting() != nullptr, remarks);
+    addOfDrawing(work, remarks);
+    std::stable_sort(
+        remarks.begin(), remarks.end(),
+        [](const ExportRemark &a, const ExportRemark &b) { return a.severity > b.severity; });
+    // What was good of an older model is not said of this one.
+    if (checks.age() == CheckList::Age::Current)
+        addGood(checks, work, remarks);
+    else
+        remarks.push_back({Severity::Unknown, {}, ExportRemarksTexts::tr("Checking…"), {}, {}});
+    if (remarks.empty())
+        remarks.push_back(
+            {Severity::Good, {}, ExportRemarksTexts::tr("Nothing to look out for."), {}, {}});
+    return remarks;
+}
+
+} // namespace fff::ui

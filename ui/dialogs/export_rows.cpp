@@ -1,0 +1,120 @@
+#include "ui/dialogs/export_rows.h"
+
+#include "ui/dialogs/stock_edits.h"
+#include "ui/dialogs/stock_words.h"
+#include "ui/properties/property_rows.h"
+
+#include <QCheckBox>
+#include <QVBoxLayout>
+
+namespace fff::ui {
+
+ExportRows::ExportRows(StockEdits &stocks, ExportChoices &choices, QWidget *parent)
+    : QWidget(parent), m_stocks(stocks), m_choices(choices)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(makeFit());
+    column->addWidget(makeLayout());
+    PropertyRow::alignLabels(m_rows);
+    connect(&stocks, &StockEdits::changed, this, &ExportRows::refresh);
+    refresh();
+}
+
+PropertyRow *ExportRows::addOfStock(PropertyGroup *group, const QString &name,
+                                    const char *objectName, double least, double most,
+                                    double Stock::*value)
+{
+    auto *row = new LengthRow(
+        name, objectName, {least, most, 0.01, 2, 3},
+        [this, value] { return std::optional(m_stocks.stock().*value); },
+        [this, value](double mm) {
+            m_stocks.edit([value, mm](Stock &stock) { stock.*value = mm; });
+        },
+        group);
+    row->setThickness([this] { return std::optional(m_stocks.stock().thickness); });
+    group->add(row);
+    m_rows.push_back(row);
+    return row;
+}
+
+PropertyGroup *ExportRows::makeFit()
+{
+    auto *group = new PropertyGroup(tr("Fit"), this);
+    PropertyRow *kerf =
+        addOfStock(group, tr("Kerf width (full)"), "exportKerf", 0.0, 5.0, &Stock::kerf);
+    addOfStock(group, tr("Slit clearance"), "exportClearance", -1.0, 1.0, &Stock::clearance);
+    auto *drawn = new TextRow(
+        tr("Drawn slit width"), "exportSlitWidth",
+        [this] { return drawnSlitText(m_stocks.stock(), locale()); }, group);
+    drawn->setToolTip(drawnSlitTip());
+    group->add(drawn);
+    m_rows.push_back(drawn);
+    m_ofSheets.insert(m_ofSheets.end(), {kerf, drawn});
+    return group;
+}
+
+void ExportRows::addLength(PropertyGroup *group, const QString &name, const char *objectName,
+                           double most, double LayoutOptions::*value)
+{
+    auto *row = new LengthRow(
+        name, objectName, {0.0, most, 0.5, 1, 2},
+        [this, value] { return std::optional(m_choices.layout.*value); },
+        [this, value](double mm) {
+            m_choices.layout.*value = mm;
+            Q_EMIT layoutChanged();
+        },
+        group);
+    group->add(row);
+    m_rows.push_back(row);
+}
+
+PropertyGroup *ExportRows::makeLayout()
+{
+    auto *group = new PropertyGroup(tr("Layout"), this);
+    addLength(group, tr("Spacing"), "exportSpacing", kMostSpacing, &LayoutOptions::spacing);
+    addLength(group, tr("Margin at the edge"), "exportMargin", kMostMargin, &LayoutOptions::margin);
+    auto *rotation = new ChoiceRow(
+        tr("Rotation"), "exportRotation",
+        [this] {
+            return Choices{{{tr("As it suits"), {}}, {tr("By quarter turns"), {}}},
+                           m_choices.layout.turnsFreely ? 0 : 1};
+        },
+        [this](int choice) {
+            m_choices.layout.turnsFreely = choice == 0;
+            Q_EMIT layoutChanged();
+        },
+        group);
+    rotation->setToolTip(tr("By quarter turns where the sheet has a grain"));
+    group->add(rotation);
+    m_rows.push_back(rotation);
+    auto *bar = new QCheckBox(tr("100 mm, below the sheets"));
+    auto *reference = new EditorRow(
+        tr("Bar to measure"), "exportReference", bar,
+        [this, bar] { bar->setChecked(m_choices.hasReference); }, group);
+    reference->setToolTip(tr("Drawn beside the sheets, not cut: measure it on your machine to be "
+                             "sure of the size"));
+    connect(bar, &QCheckBox::clicked, this, [this](bool isOn) {
+        m_choices.hasReference = isOn;
+        Q_EMIT layoutChanged();
+    });
+    group->add(reference);
+    m_rows.push_back(reference);
+    m_ofSheets.push_back(group);
+    return group;
+}
+
+void ExportRows::setSolids(bool isSolids)
+{
+    for (QWidget *one : m_ofSheets)
+        one->setVisible(!isSolids);
+}
+
+void ExportRows::refresh()
+{
+    for (PropertyRow *row : m_rows)
+        row->refresh();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,46 @@
+// Fit and layout in the Export panel: kerf and clearance of the chosen stock with the slit width
+// that they come to, and how parts lie on their sheets.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include "ui/dialogs/export_choices.h"
+
+#include <vector>
+
+namespace fff::ui {
+
+class PropertyGroup;
+class PropertyRow;
+class StockEdits;
+
+class ExportRows : public QWidget
+{
+    Q_OBJECT
+public:
+    /// choices  changed as a person chooses; it outlives this
+    ExportRows(StockEdits &stocks, ExportChoices &choices, QWidget *parent = nullptr);
+
+    /// Solids have no kerf, and lie on no sheet.
+    void setSolids(bool isSolids);
+    void refresh();
+
+Q_SIGNALS:
+    /// Of how parts lie; a stock's numbers are announced by the document.
+    void layoutChanged();
+
+private:
+    PropertyGroup *makeFit();
+    PropertyGroup *makeLayout();
+    PropertyRow *addOfStock(PropertyGroup *group, const QString &name, const char *objectName,
+                            double least, double most, double Stock::*value);
+    void addLength(PropertyGroup *group, const QString &name, const char *objectName, double most,
+                   double LayoutOptions::*value);
+
+    StockEdits &m_stocks;
+    ExportChoices &m_choices;
+    std::vector<PropertyRow *> m_rows;
+    std::vector<QWidget *> m_ofSheets; // of no use to solids
+};
+
+} // namespace fff::ui

@@ -1,0 +1,172 @@
+#include "ui/dialogs/sheet_painting.h"
+
+#include "ui/base/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct SheetPaintingTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::SheetView)
+};
+
+/// What is engraved is read as it is from so many px a mm on: the numbers of joints are 3 mm high.
+/// Before, a part's own number stands there in a font.
+constexpr double kReadableScale = 2.5;
+constexpr double kGapToBar = 10.0;  // mm, as between sheets in a file
+constexpr QSizeF kBar(100.0, 10.0); // mm, the writers'
+constexpr double kHoverWidth = 2.0; // px
+
+/// The material's, whatever the theme; in high contrast black on white but for what is cut.
+struct SheetColours
+{
+    QColor ground{0xFC, 0xF6, 0xEA}, edge{0x9B, 0x83, 0x58}, margin{0xC9, 0xB8, 0x8F};
+    QColor part{0xF3, 0xE3, 0xC3}, cut{0xDB, 0x6A, 0x63}, number{0x1F, 0x43, 0x96};
+    QColor engraved{0x3A, 0x2E, 0x1C}, scored{0x2E, 0x7D, 0x32};
+    double cutWidth = 0.8; // px
+};
+
+SheetColours sheetColours()
+{
+    SheetColours colours;
+    if (theme().isHighContrast) {
+        colours.ground = colours.part = Qt::white;
+        colours.edge = colours.engraved = Qt::black;
+        colours.margin = QColor(0x55, 0x55, 0x55);
+        colours.cut = QColor(0xB0, 0x00, 0x00);
+        colours.number = QColor(0x00, 0x00, 0x8B);
+        colours.scored = QColor(0x00, 0x5A, 0x00);
+        colours.cutWidth = 1.4;
+    }
+    return colours;
+}
+
+QPen hairline(const QColor &colour, double width, Qt::PenStyle style = Qt::SolidLine)
+{
+    QPen pen(colour, width, style);
+    pen.setCosmetic(true);
+    pen.setJoinStyle(Qt::RoundJoin);
+    return pen;
+}
+
+double scaleOf(const QTransform &transform)
+{
+    return std::sqrt(std::abs(transform.determinant()));
+}
+
+void paintNumber(const PartPaths &part, const QTransform &transform, QPainter &painter)
+{
+    const int size = digitsThatFit(part, transform, painter.font());
+    if (size == 0)
+        return;
+    const QFont before = painter.font();
+    QFont font = before;
+    font.setPixelSize(size);
+    font.setBold(true);
+    painter.setFont(font);
+    const QPointF middle = transform.map(part.roomiest);
+    painter.drawText(QRectF(middle.x() - 50.0, middle.y() - size, 100.0, 2.0 * size),
+                     Qt::AlignCenter, QString::number(part.number));
+    painter.setFont(before);
+}
+
+void paintReference(const SheetPainting &how, QPainter &painter)
+{
+    const QRectF bar = how.transform.mapRect(referenceBar());
+    painter.setPen(hairline(theme().muted, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(bar);
+    const QString text = SheetPaintingTexts::tr("%1 mm, to check the size").arg(kBar.width());
+    const QFontMetricsF metrics(painter.font());
+    painter.setPen(theme().text);
+    // In the bar where there is room for it, else beside it.
+    if (metrics.horizontalAdvance(text) + 8.0 < bar.width() && metrics.height() < bar.height())
+        painter.drawText(bar, Qt::AlignCenter, text);
+    else
+        painter.drawText(QRectF(bar.right() + 8.0, bar.center().y() - metrics.height(), 2000.0,
+                                2.0 * metrics.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, text);
+}
+
+} // namespace
+
+QRectF referenceBar()
+{
+    return {QPointF(0.0, -kGapToBar - kBar.height()), kBar};
+}
+
+int digitsThatFit(const PartPaths &part, const QTransform &transform, const QFont &font)
+{
+    if (!part.hasNumber)
+        return 0;
+    const QTransform back = transform.inverted();
+    const QPointF middle = transform.map(part.roomiest);
+    QFont sized = font;
+    sized.setBold(true);
+    for (int size = kMostDigits; size >= kLeastDigits; --size) {
+        sized.setPixelSize(size);
+        const QRectF text = QFontMetricsF(sized).tightBoundingRect(QString::number(part.number));
+        QRectF box(QPointF(), text.size() + QSizeF(2.0, 2.0));
+        box.moveCenter(middle);
+        if (part.cuts.contains(back.mapRect(box)))
+            return size;
+    }
+    return 0;
+}
+
+void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter)
+{
+    const SheetColours colours = sheetColours();
+    const QRectF whole(QPointF(), sheet.size);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF onScreen = how.transform.mapRect(whole);
+    painter.fillRect(onScreen, colours.ground);
+    painter.setBrush(Qt::NoBrush);
+    if (const double m = how.margin; m > 0.0) {
+        painter.setPen(hairline(colours.margin, 1.0, Qt::DashLine));
+        painter.drawRect(how.transform.mapRect(whole.adjusted(m, m, -m, -m)));
+    }
+    painter.setPen(hairline(colours.edge, 1.0));
+    painter.drawRect(onScreen);
+    const bool isReadable = scaleOf(how.transform) >= kReadableScale;
+    for (const PartPaths &part : sheet.parts) {
+        painter.setPen(hairline(colours.cut, colours.cutWidth));
+        painter.setBrush(colours.part);
+        painter.drawPath(how.transform.map(part.cuts));
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(hairline(colours.engraved, 0.8));
+        painter.drawPath(how.transform.map(part.engraved));
+        painter.setPen(hairline(colours.scored, 0.8));
+        painter.drawPath(how.transform.map(part.scored));
+        painter.setPen(hairline(colours.number, 1.0));
+        if (isReadable)
+            painter.drawPath(how.transform.map(part.label));
+        else
+            paintNumber(part, how.transform, painter);
+    }
+    if (how.hasReference)
+        paintReference(how, painter);
+    painter.restore();
+}
+
+void paintHovered(const PartPaths &part, const SheetPainting &how, QPainter &painter)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor accent = theme().accent;
+    painter.setPen(hairline(accent, kHoverWidth));
+    accent.setAlphaF(0.16F);
+    painter.setBrush(accent);
+    painter.drawPath(how.transform.map(part.cuts));
+    painter.restore();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,31 @@
+// How a sheet with its parts is drawn (ui/sheet_view.h shows it).
+#pragma once
+
+#include "ui/dialogs/sheet_paths.h"
+
+#include <QTransform>
+
+class QPainter;
+
+namespace fff::ui {
+
+struct SheetPainting
+{
+    QTransform transform; // from sheet coordinates to the painter's, px
+    double margin = 0.0;  // mm
+    bool hasReference = false;
+};
+
+/// Below the sheet, as writers have it: its lower left corner and size, mm, sheet coordinates.
+QRectF referenceBar();
+
+void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter);
+/// The part that the cursor is on, over what was painted.
+void paintHovered(const PartPaths &part, const SheetPainting &how, QPainter &painter);
+
+/// The largest font that a number is read in without leaving the part; 0: none. Pixels of a font
+/// are between kLeastDigits and kMostDigits.
+int digitsThatFit(const PartPaths &part, const QTransform &transform, const QFont &font);
+inline constexpr int kLeastDigits = 8, kMostDigits = 13; // px
+
+} // namespace fff::ui

@@ -1,0 +1,37 @@
+// The lines of a cutting drawing as paths to paint: the very curves that the writers put into
+// files, sheet by sheet.
+#pragma once
+
+#include "core/fabrication/cutting_drawing.h"
+
+#include <QPainterPath>
+#include <QString>
+
+#include <vector>
+
+namespace fff::ui {
+
+/// Sheet coordinates: mm, origin at the sheet's lower left, y up.
+struct PartPaths
+{
+    int number = 0;
+    QString name;                  // of its section
+    QPainterPath cuts;             // closed, holes and the outside; by the odd-even rule material
+    QPainterPath engraved, scored; // that people drew on it
+    QPainterPath label;            // strokes of its number, and of those of its joints
+    bool hasNumber = false;        // its own, among the label
+    QPointF roomiest;              // farthest from every cut: where a number is read best
+};
+
+struct SheetPaths
+{
+    int number = 1; // among all sheets of the drawing
+    QSizeF size;    // mm
+    StockId stock;
+    std::vector<PartPaths> parts;
+};
+
+/// One of each sheet, in their order.
+std::vector<SheetPaths> sheetPaths(const CuttingDrawing &drawing);
+
+} // namespace fff::ui
