@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 
 namespace fff::ui {
 
@@ -15,6 +16,17 @@ struct PartsTableTexts
 };
 
 enum PartColumn { NumberColumn, NameColumn, SizeColumn, AreaColumn, CountColumn };
+
+/// With air between columns and lines.
+class AiryRows : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(18, 6);
+    }
+};
 
 /// "3, 5–8"
 QString rangesText(const std::vector<int> &numbers)
@@ -43,6 +55,7 @@ PartsTable::PartsTable(QWidget *parent) : QTreeWidget(parent)
     setHeaderLabels({PartsTableTexts::tr("No."), PartsTableTexts::tr("Name"),
                      PartsTableTexts::tr("Size"), PartsTableTexts::tr("Area"),
                      PartsTableTexts::tr("Count")});
+    setItemDelegate(new AiryRows(this));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
