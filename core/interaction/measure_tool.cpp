@@ -212,9 +212,11 @@ std::vector<std::string_view> MeasureTool::commands() const
 {
     if (!m_line)
         return {};
-    if (m_dimension.isValid())
-        return {"measure.remove"};
-    return {"measure.keep"};
+    std::vector<std::string_view> commands{m_dimension.isValid() ? "measure.remove"
+                                                                 : "measure.keep"};
+    if (!m_isDimension)
+        commands.push_back(kDimension);
+    return commands;
 }
 
 std::optional<MeasureTool::Line> MeasureTool::line() const

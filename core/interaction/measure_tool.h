@@ -23,6 +23,11 @@ public:
     static constexpr std::string_view kDimension = "measure.dimension";
 
     explicit MeasureTool(bool isDimension) : m_isDimension(isDimension) {}
+    /// Of the same line as the other one, which is asked for in the other way.
+    MeasureTool(bool isDimension, const MeasureTool &other)
+        : m_isDimension(isDimension), m_line(other.m_line), m_dimension(other.m_dimension)
+    {
+    }
 
     std::string_view command() const override { return m_isDimension ? kDimension : kMeasure; }
     bool takes(const PointerEvent &press, GestureContext &context) const override;

@@ -30,6 +30,7 @@ target_sources(fff_core PRIVATE
     interaction/mark_editing.cpp
     interaction/mark_tool.cpp
     interaction/measure_tool.cpp
+    interaction/mirror_tool.cpp
     interaction/measuring.cpp
     interaction/navigation.cpp
     interaction/operation_gesture.cpp

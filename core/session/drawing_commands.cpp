@@ -17,17 +17,17 @@ namespace fff {
 namespace {
 
 constexpr CommandWords kDrawingWords[] = {
-    {"section.importSections", FFF_TEXT("Command", "&New sections…"),
+    {"section.importSections", FFF_TEXT("Command", "Se&ctions from SVG…"),
      FFF_TEXT("Command", "From SVG"), "", "import_drawing",
      FFF_TEXT("Command", "A section for every outline of a drawing")},
-    {"section.importContour", FFF_TEXT("Command", "&Contour…"),
+    {"section.importContour", FFF_TEXT("Command", "&Contour from SVG…"),
      FFF_TEXT("Command", "Contour from SVG"), "", "import_drawing",
      FFF_TEXT("Command", "The largest outline of a drawing in place of the selected section's")},
-    {"section.importHoles", FFF_TEXT("Command", "&Holes…"), FFF_TEXT("Command", "Holes from SVG"),
-     "", "import_drawing",
+    {"section.importHoles", FFF_TEXT("Command", "&Holes from SVG…"),
+     FFF_TEXT("Command", "Holes from SVG"), "", "import_drawing",
      FFF_TEXT("Command", "A hole of the selected section for every outline of a drawing")},
-    {"section.importMarks", FFF_TEXT("Command", "&Marks…"), FFF_TEXT("Command", "Marks from SVG"),
-     "", "import_drawing",
+    {"section.importMarks", FFF_TEXT("Command", "&Marks from SVG…"),
+     FFF_TEXT("Command", "Marks from SVG"), "", "import_drawing",
      FFF_TEXT("Command", "The lines of a drawing, engraved or scored on the selected section")},
 };
 

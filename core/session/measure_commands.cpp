@@ -18,10 +18,12 @@ namespace {
 
 constexpr CommandWords kMeasureWords[] = {
     {"measure.ruler", FFF_TEXT("Command", "M&easure"), FFF_TEXT("Command", "Measure"), "M",
-     "measure", FFF_TEXT("Command", "Measure from one place to another"), true},
-    {"measure.dimension", FFF_TEXT("Command", "D&imension"), FFF_TEXT("Command", "Dimension"), "D",
-     "dimension", FFF_TEXT("Command", "Say how long something shall be; the whole model follows"),
+     "measure",
+     FFF_TEXT("Command", "Measure between two places; keep the length, or scale the model to it"),
      true},
+    {"measure.dimension", FFF_TEXT("Command", "Scale to a &length"),
+     FFF_TEXT("Command", "Scale to a length"), "D", "dimension",
+     FFF_TEXT("Command", "Set a length and scale the model to match"), true},
     {"measure.keep", FFF_TEXT("Command", "Keep t&he dimension"), FFF_TEXT("Command", "Keep"), "",
      "keep", FFF_TEXT("Command", "Show this length from now on")},
     {"measure.remove", FFF_TEXT("Command", "Rem&ove the dimension"), FFF_TEXT("Command", "Remove"),
@@ -138,7 +140,11 @@ public:
     }
     void pickUp(bool isDimension, double time) const
     {
-        m_interaction.pickUp(std::make_unique<MeasureTool>(isDimension), time);
+        // One tool in two ways: the line in the hand stays there.
+        const MeasureTool *held = tool();
+        m_interaction.pickUp(held ? std::make_unique<MeasureTool>(isDimension, *held)
+                                  : std::make_unique<MeasureTool>(isDimension),
+                             time);
     }
 
 private:

@@ -3,10 +3,10 @@
 #include "core/interaction/operation_tool.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/baking.h"
-#include "core/operations/evaluate.h"
 #include "core/operations/operation_words.h"
 #include "core/session/command_rules.h"
 #include "core/session/message_text.h"
+#include "core/session/mirror_commands.h"
 #include "core/session/operation_script.h"
 #include "core/session/operation_text.h"
 
@@ -33,9 +33,8 @@ constexpr CommandWords kOperationWords[] = {
     {"operation.radial", FFF_TEXT("Command", "Ra&dial contour"), FFF_TEXT("Command", "Radial"),
      "Ctrl+Shift+R", "radial",
      FFF_TEXT("Command", "Make a circle, a star or a gear of a section, or holes in it")},
-    {"operation.mirror", FFF_TEXT("Command", "&Mirror model"), FFF_TEXT("Command", "Mirror"),
-     "Ctrl+Shift+M", "mirror",
-     FFF_TEXT("Command", "Let what is drawn on one side stand on the other side, too")},
+    {"operation.mirror", FFF_TEXT("Command", "&Mirror model"), FFF_TEXT("Command", "Mirror"), "",
+     "mirror", FFF_TEXT("Command", "Let what is drawn on one side stand on the other side, too")},
     {"operation.rotational", FFF_TEXT("Command", "Ro&tational symmetry"),
      FFF_TEXT("Command", "Rotational"), "", "rotational",
      FFF_TEXT("Command", "Let what is drawn once stand all round an axis")},
@@ -66,9 +65,6 @@ constexpr Text kDeleteOperation = FFF_TEXT("Step", "Delete %1");
 constexpr Text kBakeOperation = FFF_TEXT("Step", "Bake %1");
 //: %1 is the name of a section that an operation made
 constexpr Text kDetachInstance = FFF_TEXT("Step", "Detach %1");
-constexpr Text kMakeSymmetric = FFF_TEXT("Step", "Make symmetric");
-constexpr Text kAlreadySymmetric =
-    FFF_TEXT("Hint", "Nothing copied: the model is symmetric already.");
 
 /// Those that are selected, for the roles that nothing was said of: one each, the last list takes
 /// the rest.
@@ -266,14 +262,8 @@ public:
         Result<Operation> mirror = withParameters(model, kind, newOperation(kind), parameters);
         if (!mirror)
             return tl::unexpected(mirror.error());
-        const OperationId id{model.document.nextId};
-        const Model with = evaluate(addOperation(model.document, *std::move(mirror)), model);
-        const OperationResult *result = with.resultOf(id);
-        if (!result || (result->sections.empty() && result->changed.empty())) {
-            m_interaction.say(Hint::refusal(kAlreadySymmetric), time);
-            return {};
-        }
-        return commit(kMakeSymmetric, baked(with, id));
+        m_interaction.carryOut(madeSymmetric(model, *std::move(mirror)), time);
+        return {};
     }
 
 private:

@@ -11,6 +11,7 @@
 #include "core/session/load_commands.h"
 #include "core/session/mark_commands.h"
 #include "core/session/measure_commands.h"
+#include "core/session/mirror_commands.h"
 #include "core/session/offer_commands.h"
 #include "core/session/operation_commands.h"
 #include "core/session/point_commands.h"
@@ -130,6 +131,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerDrawingCommands(registry, session, interaction);
     registerMeasureCommands(registry, session, interaction);
     registerCopyCommands(registry, session, interaction, memoryClipboard());
+    registerMirrorCommands(registry, session, interaction);
     registerPointCommands(registry, session, interaction);
     registerJointCommands(registry, session, interaction);
     registerOperationCommands(registry, session, interaction);

@@ -12,6 +12,7 @@ target_sources(fff_session PRIVATE
     kept_models.cpp
     mark_commands.cpp
     measure_commands.cpp
+    mirror_commands.cpp
     message_text.cpp
     offer_commands.cpp
     operation_commands.cpp

@@ -19,6 +19,7 @@ target_compile_definitions(tests_view PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/r
 
 fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder
+    ui/actions/tst_menus
     ui/actions/tst_own_tool
     ui/bench/tst_first_sections
     ui/dialogs/tst_dialogs

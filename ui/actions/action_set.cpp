@@ -17,9 +17,26 @@ namespace {
 constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
 constexpr char kOwnKeys[] = "ownKeys";   // as the program has them
 
+bool isSearchedMenu(const MenuRow &row)
+{
+    return row.key && QLatin1String(row.key) == QLatin1String(kSearchedMenu);
+}
+
 QStringList words(const char *text)
 {
     return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+/// And what opens beside it with nothing in it.
+void dropDisabled(QMenu *menu)
+{
+    for (QAction *action : menu->actions()) {
+        if (action->menu())
+            dropDisabled(action->menu());
+        const bool isEmpty = action->menu() && action->menu()->isEmpty();
+        if (!action->isSeparator() && (isEmpty || (!action->menu() && !action->isEnabled())))
+            menu->removeAction(action);
+    }
 }
 
 } // namespace
@@ -82,9 +99,17 @@ void ActionSet::fill(QToolBar *bar, std::initializer_list<const char *> ids) con
 
 void ActionSet::fill(QMenuBar *bar, const std::function<void(const QString &, QMenu *)> &own) const
 {
-    for (const MenuRow &row : menuTable())
-        if (!row.key)
-            fill(bar->addMenu(tr(row.title)), row, own);
+    for (const MenuRow &row : menuTable()) {
+        const bool isSearched = isSearchedMenu(row);
+        if (row.key && !isSearched)
+            continue;
+        QMenu *menu = bar->addMenu(tr(row.title));
+        fill(menu, row, own);
+        if (!isSearched)
+            continue;
+        menu->menuAction()->setVisible(false);
+        bar->window()->addActions(menu->actions()); // keys of a hidden menu's are dead
+    }
 }
 
 void ActionSet::fill(QMenu *menu, const MenuRow &row,
@@ -94,7 +119,7 @@ void ActionSet::fill(QMenu *menu, const MenuRow &row,
     for (const QString &id : words(row.ids)) {
         if (id == QStringLiteral("|"))
             menu->addSeparator();
-        else if (id.startsWith(u'@'))
+        else if (id.startsWith(u'@') && own)
             own(id, menu);
         else if (m_actions.contains(id))
             menu->addAction(m_actions.value(id).action);
@@ -110,15 +135,14 @@ void ActionSet::fill(QMenu *menu, const MenuRow &row,
             menu->addAction(action(words->id));
 }
 
-void ActionSet::fill(QMenu *menu, const char *key)
+void ActionSet::fill(QMenu *menu, const char *key,
+                     const std::function<void(const QString &, QMenu *)> &own)
 {
     refresh();
     for (const MenuRow &row : menuTable())
         if (row.key && QLatin1String(key) == QLatin1String(row.key))
-            fill(menu, row, {});
-    for (QAction *action : menu->actions())
-        if (!action->isSeparator() && !action->menu() && !action->isEnabled())
-            menu->removeAction(action);
+            fill(menu, row, own);
+    dropDisabled(menu);
 }
 
 void ActionSet::addViewShortcuts(QWidget *view) const

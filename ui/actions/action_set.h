@@ -37,8 +37,9 @@ public:
     void fill(QToolBar *bar, std::initializer_list<const char *> ids) const;
     /// The menus of the table; `own` adds what the window has for an id that begins with "@".
     void fill(QMenuBar *bar, const std::function<void(const QString &id, QMenu *menu)> &own) const;
-    /// The menu of the table with this key, without what cannot be done now.
-    void fill(QMenu *menu, const char *key);
+    /// The menu of the table with this key, without what cannot be done now; `own` as above.
+    void fill(QMenu *menu, const char *key,
+              const std::function<void(const QString &id, QMenu *menu)> &own = {});
     /// Single letters and digits work only while this widget has the focus.
     void addViewShortcuts(QWidget *view) const;
 

@@ -26,6 +26,7 @@ public:
     void refreshColours();
     /// Shows those that have these words in their name, or in that of something they make.
     void setFilter(const QString &words);
+    QTreeWidget *tree() const { return m_tree; }
 
 private:
     struct Row

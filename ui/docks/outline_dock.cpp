@@ -138,6 +138,8 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     column->addWidget(m_loads);
     setWidget(content);
 
+    offerMenu(m_tree);
+    offerMenu(m_operations->tree());
     connect(m_filter, &QLineEdit::textChanged, this, &OutlineDock::applyFilter);
     connect(m_tree, &QTreeWidget::itemChanged, this, &OutlineDock::rename);
     connect(m_tree, &QTreeWidget::itemClicked, this, &OutlineDock::press);
@@ -152,6 +154,22 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
             followModel();
     });
     followModel();
+}
+
+void OutlineDock::offerMenu(QTreeWidget *tree)
+{
+    tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    auto *rename = new QAction(tr("Rename") + QStringLiteral("\tF2"), tree);
+    rename->setObjectName(QStringLiteral("outlineRename"));
+    connect(rename, &QAction::triggered, tree, [tree] {
+        if (QTreeWidgetItem *item = tree->currentItem())
+            tree->editItem(item);
+    });
+    connect(tree, &QWidget::customContextMenuRequested, this, [this, tree, rename](QPoint at) {
+        const QTreeWidgetItem *item = tree->itemAt(at);
+        rename->setEnabled(item && item->flags().testFlag(Qt::ItemIsEditable));
+        Q_EMIT menuWanted(tree->viewport()->mapToGlobal(at), rename);
+    });
 }
 
 void OutlineDock::addKey(QAction *action)

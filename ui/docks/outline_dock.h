@@ -11,6 +11,7 @@
 #include <set>
 #include <unordered_map>
 
+class QAction;
 class QLabel;
 class QLineEdit;
 class QTreeWidget;
@@ -40,7 +41,12 @@ public:
     /// Rows made or placed since the start: a test sees that an edit does not make all of them.
     int rowsTouched() const { return m_rowsTouched; }
 
+Q_SIGNALS:
+    /// At a place on the screen, about what is selected; rename: begins to rename its row.
+    void menuWanted(const QPoint &onScreen, QAction *rename);
+
 private:
+    void offerMenu(QTreeWidget *tree);
     void followModel();
     std::set<SectionId> drafts() const;
     void dropRows(const Document &document, std::set<SectionId> &moved);

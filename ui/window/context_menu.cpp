@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <string_view>
 
 namespace fff::ui {
 
@@ -76,7 +77,7 @@ const char *ContextMenu::chooseHovered()
 void ContextMenu::openAt(const QPoint &inView)
 {
     if (!isBusy(m_bench.interaction()))
-        open(chooseHovered(), inView);
+        open(chooseHovered(), m_view->mapToGlobal(inView));
 }
 
 void ContextMenu::openForSelection()
@@ -96,19 +97,31 @@ void ContextMenu::openForSelection()
         const QPoint middle(static_cast<int>(at.x()), static_cast<int>(at.y()));
         place = m_view->rect().contains(middle) ? middle : place;
     }
-    open(ofSelection(), place);
+    open(ofSelection(), m_view->mapToGlobal(place));
 }
 
-void ContextMenu::open(const char *key, const QPoint &inView)
+void ContextMenu::openInList(const QPoint &onScreen, QAction *rename)
+{
+    if (isBusy(m_bench.interaction()))
+        return;
+    const std::string_view key = ofSelection();
+    const bool isSection = key == "context.section" || key == "context.point";
+    open(isSection ? "context.outline" : key.data(), onScreen, rename);
+}
+
+void ContextMenu::open(const char *key, const QPoint &onScreen, QAction *rename)
 {
     auto *menu = new QMenu(m_view);
     menu->setObjectName(QStringLiteral("contextMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    m_actions.fill(menu, key);
+    m_actions.fill(menu, key, [rename](const QString &, QMenu *at) {
+        if (rename)
+            at->addAction(rename);
+    });
     dress(menu);
     for (QMenu *deeper : menu->findChildren<QMenu *>())
         dress(deeper);
-    menu->popup(m_view->mapToGlobal(inView));
+    menu->popup(onScreen);
 }
 
 } // namespace fff::ui

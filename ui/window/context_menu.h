@@ -4,6 +4,7 @@
 
 #include <QObject> // first: moc stumbles over some standard headers
 
+class QAction;
 class QPoint;
 class QWidget;
 
@@ -23,12 +24,14 @@ public:
     void openAt(const QPoint &inView);
     /// Of what is selected, at its middle.
     void openForSelection();
+    /// The same in a list of what there is, at a place on the screen; rename: what it adds.
+    void openInList(const QPoint &onScreen, QAction *rename);
 
 private:
     /// Key of the menu in the table. Selects what the cursor is on.
     const char *chooseHovered();
     const char *ofSelection() const;
-    void open(const char *key, const QPoint &inView);
+    void open(const char *key, const QPoint &onScreen, QAction *rename = nullptr);
 
     Workbench &m_bench;
     ActionSet &m_actions;

@@ -14,12 +14,13 @@ namespace fff::ui {
 
 namespace {
 
+constexpr int kBetweenButtons = 1; // px, as in the style sheet
 // px; what a narrower window has not
 constexpr int kToolLabels = 1400, kWholeStock = 1240, kOperationButtons = 1160;
 
 constexpr const char *kOperations[] = {"operation.linear", "operation.revolve", "operation.blend",
                                        "operation.branch", "operation.grid",    "operation.radial",
-                                       "operation.mirror"};
+                                       "edit.mirror"};
 
 } // namespace
 
@@ -32,13 +33,16 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     setIconSize({20, 20});
     actions.fill(this, {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo", "",
                         "section.symmetry", "section.ground", "section.snap", "section.pen", "",
-                        "section.redraw", "section.addHole", ""});
+                        "section.addShape"});
+    m_ofDrawing = actions.action("section.addShape");
+    m_ofSection = {actions.action("section.redraw"), actions.action("section.addHole")};
+    m_afterDrawing = addSeparator();
     for (const char *id : kOperations)
         m_operations.push_back(actions.action(id));
     m_rotational = actions.action("operation.rotational");
     makeRepeat();
     m_afterOperations = addSeparator();
-    actions.fill(this, {"physics.addWeight", "check.stress"});
+    actions.fill(this, {"physics.addWeight", "check.stress", "measure.ruler"});
 
     for (QAction *action : this->actions()) {
         if (QWidget *button = widgetForAction(action); button && !action->isSeparator())
@@ -56,6 +60,19 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     gap->setFixedWidth(8);
     addWidget(gap);
     makeExport(actions.action("file.export"));
+    connect(&bench, &Workbench::selectionChanged, this, &MainToolBar::followSelection);
+}
+
+void MainToolBar::place(const std::vector<QAction *> &actions, bool isThere, QAction *before)
+{
+    for (QAction *action : actions) {
+        if (!isThere) {
+            removeAction(action);
+            continue;
+        }
+        insertAction(before, action);
+        widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
+    }
 }
 
 /// Their buttons, or the one that stands for all.
@@ -63,15 +80,18 @@ void MainToolBar::placeOperations(bool hasButtons)
 {
     if (hasButtons == actions().contains(m_operations.front()))
         return;
-    for (QAction *action : m_operations) {
-        if (!hasButtons) {
-            removeAction(action);
-            continue;
-        }
-        insertAction(m_afterOperations, action);
-        widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
-    }
+    place(m_operations, hasButtons, m_afterOperations);
     m_repeatAction->setVisible(!hasButtons);
+}
+
+/// What is done to a section has its buttons while there is one to do it to.
+void MainToolBar::followSelection()
+{
+    const bool isThere = m_bench.interaction().selection().size() == 1;
+    if (isThere == actions().contains(m_ofSection.front()))
+        return;
+    place(m_ofSection, isThere, m_afterDrawing);
+    fold(window()->width());
 }
 
 /// What stands for the operations where there is no room for all.
@@ -109,14 +129,21 @@ void MainToolBar::makeExport(QAction *exporting)
 
 void MainToolBar::fold(int windowWidth)
 {
-    m_stock->setShort(windowWidth < kWholeStock);
     placeOperations(windowWidth >= kOperationButtons);
     // Whole words or none: how long they are is the language's.
     const bool hadLabels = toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
     bool labels = windowWidth >= kToolLabels;
     if (labels && !hadLabels)
         setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    labels = labels && sizeHint().width() <= windowWidth;
+    // The buttons for a section may come and go without anything else: they have their room.
+    const int room = actions().contains(m_ofSection.front())
+                         ? 0
+                         : static_cast<int>(m_ofSection.size()) *
+                               (widgetForAction(m_ofDrawing)->sizeHint().width() + kBetweenButtons);
+    m_stock->setShort(windowWidth < kWholeStock);
+    if (labels && sizeHint().width() + room > windowWidth)
+        m_stock->setShort(true);
+    labels = labels && sizeHint().width() + room <= windowWidth;
     if (!labels)
         setToolButtonStyle(Qt::ToolButtonIconOnly);
     // Its word is whole, too, or not there.

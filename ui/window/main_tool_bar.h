@@ -30,14 +30,18 @@ private:
     void makeRepeat();
     void makeExport(QAction *exporting);
     void placeOperations(bool hasButtons);
+    void place(const std::vector<QAction *> &actions, bool isThere, QAction *before);
+    void followSelection();
 
     Workbench &m_bench;
     StockBox *m_stock = nullptr;
     QPushButton *m_export = nullptr;
     std::vector<QAction *> m_operations;
-    QAction *m_rotational = nullptr; // in the menu alone
+    std::vector<QAction *> m_ofSection; // there while one is selected
+    QAction *m_ofDrawing = nullptr;     // beside them
+    QAction *m_rotational = nullptr;    // in the menu alone
     QToolButton *m_repeat = nullptr;
-    QAction *m_repeatAction = nullptr, *m_afterOperations = nullptr;
+    QAction *m_repeatAction = nullptr, *m_afterOperations = nullptr, *m_afterDrawing = nullptr;
 };
 
 } // namespace fff::ui

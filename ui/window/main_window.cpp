@@ -191,6 +191,7 @@ void MainWindow::makeDocks()
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
         connect(viewport, &Viewport::menuWanted, menu, &ContextMenu::openAt);
         connect(viewport, &Viewport::menuKeyPressed, menu, &ContextMenu::openForSelection);
+        connect(m_outline, &OutlineDock::menuWanted, menu, &ContextMenu::openInList);
     }
     new OperationNotices(*m_bench, *m_messages, this);
     m_steps = new StepsView(*m_bench, *m_checkList, qobject_cast<Viewport *>(m_view), this);

@@ -1,0 +1,134 @@
+#include "core/interaction/mirror_tool.h"
+
+#include "core/interaction/draw_tool.h"
+#include "core/interaction/mirror_words.h"
+#include "core/interaction/pick.h"
+
+namespace fff {
+
+Frame mirrorPlane(const Model &model, const MirrorChoice &choice)
+{
+    switch (choice.plane) {
+    case MirrorChoice::Plane::X:
+        return {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()};
+    case MirrorChoice::Plane::Y:
+        return {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()};
+    case MirrorChoice::Plane::Z:
+        return {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
+    case MirrorChoice::Plane::Section:
+        break;
+    }
+    return model.find(*choice.across)->frame;
+}
+
+bool MirrorTool::isSame(const Tool &other) const
+{
+    const auto *tool = dynamic_cast<const MirrorTool *>(&other);
+    return tool && !tool->m_isChange;
+}
+
+/// Once a choice: the cursor moves many times over one.
+void MirrorTool::work(const GestureContext &context)
+{
+    m_made.reset();
+    if (isPlaneKnown())
+        m_made = m_edit(context.model, m_choice);
+}
+
+GestureReply MirrorTool::shown() const
+{
+    GestureReply reply;
+    if (m_made && *m_made)
+        reply.preview = (*m_made)->document;
+    return reply;
+}
+
+GestureReply MirrorTool::begin(GestureContext &context, double)
+{
+    work(context);
+    return shown();
+}
+
+GestureReply MirrorTool::handle(const PointerEvent &event, GestureContext &context)
+{
+    GestureReply reply = shown();
+    const bool isClick = m_drag.handle(event, context, reply);
+    if (!asks() || m_drag.isTurning() || m_drag.isPressed())
+        return reply;
+    const std::vector<Hit> hits = fff::pick(
+        context.model, context.camera.rayThrough(event.position, context.viewport), context.view);
+    std::optional<SectionRef> over;
+    if (!hits.empty())
+        over = context.model.ref(static_cast<std::size_t>(hits.front().section));
+    if (over != m_choice.across) {
+        m_choice.across = over;
+        work(context);
+    }
+    return isClick && over ? done(context) : shown();
+}
+
+GestureReply MirrorTool::done(const GestureContext &context)
+{
+    GestureReply reply;
+    reply.state = GestureReply::State::Over;
+    if (!*m_made) {
+        reply.note = m_made->error();
+        return reply;
+    }
+    EditedSections &made = **m_made;
+    reply.note = std::move(made.note);
+    reply.select = std::move(made.select);
+    if (made.document.isSame(context.model.document))
+        return reply;
+    if (m_choice.outcome == MirrorChoice::Outcome::Always)
+        reply.selectOperation = OperationId{context.model.document.nextId};
+    reply.commit = GestureReply::Commit{std::move(made.step), std::move(made.document)};
+    return reply;
+}
+
+void MirrorTool::mark(GestureContext &context, bool)
+{
+    if (!isPlaneKnown())
+        return;
+    sign::Region plane = planeMark(mirrorPlane(context.model, m_choice), context);
+    std::vector<Vec3> edge = plane.outline;
+    edge.push_back(edge.front());
+    context.overlay.held.add(std::move(plane));
+    context.overlay.held.add(sign::Line{SignRole::Guide, std::move(edge)});
+}
+
+GestureReply MirrorTool::cancel(GestureContext &context)
+{
+    if (m_drag.isTurning())
+        return m_drag.interrupt(context);
+    GestureReply reply;
+    reply.state = GestureReply::State::Over;
+    return reply;
+}
+
+bool MirrorTool::wants(ToolKey key) const
+{
+    return key == ToolKey::Enter && isPlaneKnown();
+}
+
+GestureReply MirrorTool::key(ToolKey key, GestureContext &context)
+{
+    return key == ToolKey::Enter && m_made ? done(context) : shown();
+}
+
+std::vector<std::string_view> MirrorTool::commands() const
+{
+    std::vector<std::string_view> commands{"mirror.x",       "mirror.y",    "mirror.z",
+                                           "mirror.section", "mirror.copy", "mirror.always",
+                                           "mirror.once"};
+    if (!asks())
+        commands.emplace_back("mirror.apply");
+    return commands;
+}
+
+Hint MirrorTool::hint() const
+{
+    return asks() ? hints::kMirrorAcross : hints::kMirrorWhat;
+}
+
+} // namespace fff

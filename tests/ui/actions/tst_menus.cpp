@@ -1,0 +1,155 @@
+// What stands in the menus: few enough to be read, and nothing that can be done is lost with it.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "tests/test_program.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/actions/action_finder.h"
+#include "ui/actions/action_set.h"
+#include "ui/actions/menu_table.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <QToolBar>
+
+using namespace fff;
+using namespace fff::ui;
+
+namespace {
+
+constexpr int kMostEntries = 80, kMostRows = 16, kMostRowsOfClick = 12;
+
+QList<QAction *> rowsOf(const QMenu &menu)
+{
+    QList<QAction *> rows;
+    for (QAction *action : menu.actions())
+        if (!action->isSeparator())
+            rows += action;
+    return rows;
+}
+
+/// Also what opens beside it, but for files that were opened before.
+int entriesOf(const QMenu &menu)
+{
+    int count = 0;
+    for (const QAction *row : rowsOf(menu))
+        count += 1 + (row->menu() && row->menu()->objectName() != QStringLiteral("recentMenu")
+                          ? entriesOf(*row->menu())
+                          : 0);
+    return count;
+}
+
+QList<QMenu *> seenMenus(const QMenuBar &bar)
+{
+    QList<QMenu *> menus;
+    for (const QAction *action : bar.actions())
+        if (action->isVisible())
+            menus += action->menu();
+    return menus;
+}
+
+} // namespace
+
+class TestMenus : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
+        m_window = openWindow();
+    }
+    void cleanup() { closeEverything(); }
+
+    void theyCanBeRead();
+    void aRightClickIsShort();
+    void everyCommandIsFound();
+    void keysWorkOutsideTheMenus();
+    void buttonsForASectionComeWithIt();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    MainWindow *m_window = nullptr;
+};
+
+// Wrong: menus grow by a row with each thing that the program learns, until nobody reads them.
+void TestMenus::theyCanBeRead()
+{
+    int entries = 0;
+    for (const QMenu *menu : seenMenus(*m_window->menuBar())) {
+        const int rows = static_cast<int>(rowsOf(*menu).size());
+        qInfo("%s: %d rows, %d entries", qPrintable(menu->title()), rows, entriesOf(*menu));
+        entries += entriesOf(*menu);
+        QVERIFY2(rows <= kMostRows, qPrintable(menu->title()));
+        for (const QMenu *beside : menu->findChildren<QMenu *>())
+            QVERIFY2(rowsOf(*beside).size() <= kMostRows, qPrintable(beside->title()));
+    }
+    QVERIFY2(entries <= kMostEntries, qPrintable(QString::number(entries)));
+}
+
+// Wrong: a right click covers half of the model.
+void TestMenus::aRightClickIsShort()
+{
+    for (const MenuRow &row : menuTable()) {
+        if (!row.key || !QLatin1String(row.key).startsWith(QLatin1String("context.")))
+            continue;
+        const QStringList ids = QString::fromLatin1(row.ids).split(u' ', Qt::SkipEmptyParts);
+        const auto rows = ids.size() - ids.count(QStringLiteral("|"));
+        qInfo("%s: %d rows", row.key, static_cast<int>(rows));
+        QVERIFY2(rows <= kMostRowsOfClick, row.key);
+    }
+}
+
+// Wrong: what is in no menu any more can be neither found nor given a key.
+void TestMenus::everyCommandIsFound()
+{
+    QSet<QString> found;
+    for (const ListedAction &listed : listedActions(*m_window->menuBar())) {
+        if (listed.id.isEmpty())
+            continue;
+        QVERIFY2(!found.contains(listed.id), qPrintable(listed.id)); // once, under one menu
+        found += listed.id;
+        QVERIFY2(!listed.menuPath.isEmpty(), qPrintable(listed.id));
+    }
+    for (const CommandWords *words : m_window->bench().commands().offered())
+        QVERIFY2(found.contains(QLatin1String(words->id)), words->id);
+}
+
+// Wrong: F6 is dead, since Qt passes over the keys of what is in hidden menus alone.
+void TestMenus::keysWorkOutsideTheMenus()
+{
+    auto *pane = m_window->findChild<QAction *>(QStringLiteral("view.nextPane"));
+    int runs = 0;
+    connect(pane, &QAction::triggered, this, [&runs] { ++runs; });
+    QApplication::setActiveWindow(m_window);
+    QTest::keyClick(m_window, Qt::Key_F6);
+    QCOMPARE(runs, 1);
+}
+
+// Wrong: the bar is full of what cannot be done yet.
+void TestMenus::buttonsForASectionComeWithIt()
+{
+    auto *bar = m_window->findChild<QToolBar *>(QStringLiteral("mainToolBar"));
+    const auto has = [&](const char *id) {
+        return bar->actions().contains(m_window->findChild<QAction *>(QLatin1String(id)));
+    };
+    Workbench &bench = m_window->bench();
+    bench.session().commit(QStringLiteral("draw"), squareDocument());
+    QVERIFY(!has("section.redraw") && !has("section.addHole"));
+    QVERIFY(has("section.addShape") && has("measure.ruler"));
+    bench.select({bench.session().committed().section(0)->ref()});
+    QVERIFY(has("section.redraw") && has("section.addHole"));
+    bench.select({});
+    QVERIFY(!has("section.redraw") && !has("section.addHole"));
+}
+
+FFF_TEST_WITH(TestMenus, [](int argc, char *argv[]) {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setQuitOnLastWindowClosed(false);
+    TestMenus test;
+    return QTest::qExec(&test, argc, argv);
+})
+#include "tst_menus.moc"
