@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace fff {
 
@@ -32,8 +33,11 @@ Frame ownFrame(const Section &section, const Section *host, const Eigen::Quatern
         if (up.norm() > kLeans) {
             frame.y = up.normalized();
             frame.x = frame.y.cross(normal);
-            // As people see it: up rather than down, and to the right.
+            // As people see it: y is the more upright one, up rather than down, x to the right. The
+            // arrows are named so.
             const Vec3 right = orientation * Vec3::UnitX(), above = orientation * Vec3::UnitY();
+            if (std::abs(frame.x.dot(above)) > std::abs(frame.y.dot(above)))
+                std::swap(frame.x, frame.y);
             if (frame.y.dot(above) < 0.0)
                 frame.y = -frame.y;
             if (frame.x.dot(right) < 0.0)
@@ -110,13 +114,20 @@ Gizmo gizmoOf(const Model &model, const std::vector<SectionRef> &sections, bool 
     const Section *host = isSingle ? holderOf(model, first) : nullptr;
     gizmo.isInSpace = isInSpace || !isSingle;
     gizmo.frame = isSingle ? ownFrame(first, host, orientation) : Frame{box.center()};
-    gizmo.parts = {MoveX, MoveY, MoveZ, MoveFree, ScaleAll, TurnY, TurnZ};
+    gizmo.parts = {MoveX, MoveY, MoveZ, MoveFree, ScaleAll, TurnZ};
     if (gizmo.isInSpace)
         gizmo.frame = {gizmo.frame.origin};
     else
         gizmo.parts.insert(gizmo.parts.end(), {ScaleX, ScaleY});
-    if (!host || gizmo.isInSpace)
+    // About its holder's normal it turns on that one's face; about the other axis it would tilt.
+    const bool isFree = !host || gizmo.isInSpace;
+    const auto across = [&](int axis) {
+        return std::abs(gizmo.axis(axis).dot(host->frame.normal()));
+    };
+    if (isFree || across(0) > across(1))
         gizmo.parts.push_back(TurnX);
+    if (isFree || across(0) <= across(1))
+        gizmo.parts.push_back(TurnY);
     return gizmo;
 }
 

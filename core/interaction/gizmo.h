@@ -33,9 +33,9 @@ bool isScale(GizmoPart part);
 
 struct Gizmo
 {
-    /// Of one section: its plane, x and y as they lie in it; of one that is held by another one, y
-    /// is that one's normal, so that moves along x and z keep it on its face. In space: the
-    /// world's axes.
+    /// Of one section: its plane, x and y as they lie in it, y the more upright one as it is seen;
+    /// of one that is held by another one, one of them is that one's normal, so that moves along
+    /// the other one and z keep it on its face. In space: the world's axes.
     Frame frame;
     bool isInSpace = false;
     std::vector<GizmoPart> parts; // that it has; none: nothing can be moved
