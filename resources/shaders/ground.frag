@@ -30,8 +30,9 @@ void main()
     vec2 place = (ground - shadowBox.xy) / shadowBox.zw;
     vec4 taken = all(greaterThan(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)))
                      ? texture(shadow, place) : vec4(0.0);
-    // Plates on edge take little light each, but from many directions.
-    float dark = shadowColour.a * (1.0 - exp(-dot(taken, vec4(2.4, 2.6, 3.2, 3.6))));
+    // Plates on edge take little light each, but from many directions; most where they stand on the
+    // ground, or they would seem to hang.
+    float dark = shadowColour.a * (1.0 - exp(-dot(taken, vec4(4.2, 2.6, 3.2, 3.6))));
 
     colour = vec4(fine, 1.0) * fineCover;
     colour = vec4(strong, 1.0) * strongCover + colour * (1.0 - strongCover);

@@ -10,6 +10,7 @@ namespace fff::ui {
 namespace {
 
 constexpr double kGhostFace = 0.26, kGhostEdge = 0.40; // opacity
+constexpr double kSelectedTint = 0.12;                 // of the accent, over the stock
 constexpr double kXrayFace = 0.20, kXrayEdge = 0.60;
 constexpr double kHiddenOutline = 0.4; // opacity
 constexpr double kMarkNearer = 0.02;   // mm towards the eye, to lie on the face
@@ -299,6 +300,11 @@ void SectionPasses::drawOutlines()
             outline(i, m_style->accent, kHiddenOutline, 1.4, 0.4);
     }
     m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glEnable(GL_CULL_FACE);
+    for (std::size_t i = 0; i < sections.size(); ++i)
+        if (sections[i].isSelected)
+            m_painter.fill(i, {m_style->accent, m_style->accent, kSelectedTint, QColor()});
+    m_gl.glDisable(GL_CULL_FACE);
     for (std::size_t i = 0; i < sections.size(); ++i) {
         if (!sections[i].isSelected)
             continue;
