@@ -3,7 +3,10 @@
 #include "core/base/tolerances.h"
 #include "core/model/origin.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace fff {
 
@@ -11,6 +14,8 @@ namespace {
 
 /// px. The line's is less, or strokes could hardly begin on a small section.
 constexpr double kReach = 10.0, kLineReach = 6.0;
+/// Nothing is seen so far off, px: in perspective a place beside the eye.
+constexpr double kFarOff = 1e6;
 /// A handle this near to its anchor cannot be told from it, px.
 constexpr double kSeparate = 6.0;
 
@@ -65,6 +70,53 @@ std::optional<SectionRef> sectionWithPoints(const Sight &sight, const Selection 
     return ref;
 }
 
+std::vector<PointAddress> shownPoints(const Section &section,
+                                      const std::vector<PointAddress> &selected,
+                                      const Camera &camera, const Vec2 &viewport)
+{
+    const Shape &shape = *section.shape;
+    std::vector<PointAddress> corners, others;
+    for (int b = 0; b < boundaryCount(shape); ++b) {
+        const Contour &contour = boundary(shape, b);
+        for (int i = 0; i < contour.segmentCount(); ++i)
+            (kindOf(contour, i) == PointKind::Corner ? corners : others).push_back({b, i});
+    }
+    // In cells as wide as points are apart, each looks at the few around it.
+    std::map<std::pair<int, int>, std::vector<Vec2>> taken;
+    const auto cellOf = [](const Vec2 &p) {
+        return std::pair(static_cast<int>(std::floor(p.x() / kPointsApart)),
+                         static_cast<int>(std::floor(p.y() / kPointsApart)));
+    };
+    const auto isFree = [&](const Vec2 &p) {
+        const auto [x, y] = cellOf(p);
+        for (int dx = -1; dx <= 1; ++dx)
+            for (int dy = -1; dy <= 1; ++dy)
+                if (const auto cell = taken.find({x + dx, y + dy}); cell != taken.end())
+                    for (const Vec2 &other : cell->second)
+                        if ((other - p).norm() < kPointsApart)
+                            return false;
+        return true;
+    };
+    std::vector<PointAddress> shown;
+    const auto offer = [&](const PointAddress &point, bool always) {
+        const Vec2 place = anchor(boundary(shape, point.boundary), point.index);
+        const Vec2 at = camera.toScreen(section.frame.toWorld(place), viewport);
+        if (!(at.cwiseAbs().maxCoeff() < kFarOff) || (!always && !isFree(at)))
+            return;
+        taken[cellOf(at)].push_back(at);
+        shown.push_back(point);
+    };
+    for (const PointAddress &point : selected)
+        if (isPoint(shape, point))
+            offer(point, true);
+    for (const std::vector<PointAddress> *points : {&corners, &others})
+        for (const PointAddress &point : *points)
+            if (std::find(selected.begin(), selected.end(), point) == selected.end())
+                offer(point, false);
+    std::sort(shown.begin(), shown.end());
+    return shown;
+}
+
 std::optional<PointTarget> pointTargetAt(const Sight &sight, const SectionRef &ref,
                                          const PointSelection &selected, const Vec2 &position)
 {
@@ -78,17 +130,17 @@ std::optional<PointTarget> pointTargetAt(const Sight &sight, const SectionRef &r
     };
     std::optional<PointTarget> best;
     double nearest = kReach;
-    for (int b = 0; b < boundaryCount(shape); ++b) {
-        const Contour &contour = boundary(shape, b);
-        for (int i = 0; i < contour.segmentCount(); ++i) {
-            const Vec2 place = anchor(contour, i);
-            if (const double d = (screen(place) - position).norm(); d <= nearest) {
-                nearest = d;
-                best = PointTarget{PointTarget::Kind::Anchor, {b, i}, HandleSide::In, 0.0, place};
-            }
+    const bool isOfSelected = selected.section() == section.id;
+    for (const PointAddress &address :
+         shownPoints(section, isOfSelected ? selected.points() : std::vector<PointAddress>(),
+                     sight.camera, sight.viewport)) {
+        const Vec2 place = anchor(boundary(shape, address.boundary), address.index);
+        if (const double d = (screen(place) - position).norm(); d <= nearest) {
+            nearest = d;
+            best = PointTarget{PointTarget::Kind::Anchor, address, HandleSide::In, 0.0, place};
         }
     }
-    if (selected.section() == section.id) {
+    if (isOfSelected) {
         for (const PointAddress &point : selected.points()) {
             if (!isPoint(shape, point))
                 continue;

@@ -6,6 +6,7 @@
 #include "core/interaction/sight.h"
 
 #include <optional>
+#include <vector>
 
 namespace fff {
 
@@ -31,9 +32,19 @@ struct PointTarget
 /// drawn one, unless it is hidden or seen on its edge.
 std::optional<SectionRef> sectionWithPoints(const Sight &sight, const Selection &selection);
 
-/// What of that section is there (px): of anchors and of the handles of selected points the
-/// nearest within 10 px, else the contour, where no other section lies before it. These marks are
-/// drawn over everything, so nothing else hides them.
+/// The control points of a section, as it is shown, that are marked and can be held: those that are
+/// selected, then corners, then the others along each boundary, of which the ones are left out that
+/// would come nearer than kPointsApart to one that is there. Nearer to the eye there are all.
+/// Sorted; they depend on the scale, not on where the view is.
+std::vector<PointAddress> shownPoints(const Section &section,
+                                      const std::vector<PointAddress> &selected,
+                                      const Camera &camera, const Vec2 &viewport);
+/// px
+inline constexpr double kPointsApart = 12.0;
+
+/// What of that section is there (px): of anchors that are shown and of the handles of selected
+/// points the nearest within 10 px, else the contour, where no other section lies before it. These
+/// marks are drawn over everything, so nothing else hides them.
 std::optional<PointTarget> pointTargetAt(const Sight &sight, const SectionRef &section,
                                          const PointSelection &selected, const Vec2 &position);
 

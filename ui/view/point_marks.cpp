@@ -122,19 +122,18 @@ void Points::mark(const QPointF &at, PointKind kind, double size)
 void Points::anchors()
 {
     const QColor accent = m_pen.style().accent, panel = m_pen.style().panel;
-    for (int b = 0; b < boundaryCount(*m_section.shape); ++b) {
-        const Contour &contour = boundary(*m_section.shape, b);
-        for (int i = 0; i < contour.segmentCount(); ++i) {
-            const QPointF at = screen(anchor(contour, i));
-            if (!m_view.contains(at))
-                continue;
-            const bool isChosen = isSelected({b, i});
-            m_painter.setPen(QPen(isChosen ? panel : accent, isChosen ? 1.2 : 1.6));
-            m_painter.setBrush(isChosen ? accent : panel);
-            const bool grows = isHovered(PointTarget::Kind::Anchor, {b, i});
-            mark(at, kindOf(contour, i),
-                 grows ? kHoveredSize + 1.0 : kSize + (isChosen ? 1.0 : 0.0));
-        }
+    for (const PointAddress &point :
+         shownPoints(m_section, m_points.selected, m_pen.camera(), m_pen.viewport())) {
+        const Contour &contour = boundary(*m_section.shape, point.boundary);
+        const QPointF at = screen(anchor(contour, point.index));
+        if (!m_view.contains(at))
+            continue;
+        const bool isChosen = isSelected(point);
+        m_painter.setPen(QPen(isChosen ? panel : accent, isChosen ? 1.2 : 1.6));
+        m_painter.setBrush(isChosen ? accent : panel);
+        const bool grows = isHovered(PointTarget::Kind::Anchor, point);
+        mark(at, kindOf(contour, point.index),
+             grows ? kHoveredSize + 1.0 : kSize + (isChosen ? 1.0 : 0.0));
     }
 }
 

@@ -22,6 +22,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_snapping
     core/interaction/tst_steps_player
     core/interaction/tst_symmetric_section
+    core/interaction/tst_thinned_points
     core/interaction/tst_transform_tool
     core/interaction/tst_view_cube
     core/interaction/tst_view_history
