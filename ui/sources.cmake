@@ -65,6 +65,7 @@ target_sources(fff_ui PRIVATE
     dialogs/stock_fields.cpp
     dialogs/stock_list.cpp
     dialogs/stock_words.cpp
+    docks/check_entries.cpp
     docks/check_row.cpp
     docks/checks_dock.cpp
     docks/dock_title.cpp
@@ -141,6 +142,7 @@ target_sources(fff_ui PRIVATE
     window/operation_notices.cpp
     window/script_player.cpp
     window/spoken_selection.cpp
+    window/view_chips.cpp
     window/window_layout.cpp
     window/windows.cpp
 )

@@ -38,41 +38,64 @@ struct Judge
         return Mend{action, std::move(edit), tried->analysis, std::move(changes)};
     }
 
-    std::vector<Mend> mendsOf(const FindingRow &row) const
+    std::vector<Mend> mendsOf(const std::vector<FindingAction> &actions,
+                              const Finding &finding) const
     {
-        std::vector<FindingAction> actions;
-        if (row.count > 1) {
-            if (row.finding.kind->forAll)
-                actions.push_back({row.finding.kind->forAll});
-        } else if (row.finding.kind->actions) {
-            actions = row.finding.kind->actions(row.finding, analysis);
-        }
         std::vector<Mend> mends;
         for (const FindingAction &action : actions)
             if (!stop.stop_requested())
-                if (auto made = mend(action, row.finding))
+                if (auto made = mend(action, finding))
                     mends.push_back(*std::move(made));
         return mends;
     }
+    std::vector<Mend> mendsOf(const Finding &finding) const
+    {
+        if (!finding.kind->actions)
+            return {};
+        return mendsOf(finding.kind->actions(finding, analysis), finding);
+    }
+    /// Of many about all of them.
+    std::vector<Mend> mendsOfAll(const FindingRow &row) const
+    {
+        const ActionKind *forAll = row.finding.kind->forAll;
+        return forAll ? mendsOf({{forAll}}, row.finding) : std::vector<Mend>();
+    }
 };
+
+/// One for all of them.
+Finding inOne(const std::vector<Finding> &all)
+{
+    Finding one = all.front();
+    one.at.reset();
+    one.joint.reset();
+    for (std::size_t i = 1; i < all.size(); ++i)
+        for (const SectionRef &section : all[i].sections)
+            if (std::find(one.sections.begin(), one.sections.end(), section) == one.sections.end())
+                one.sections.push_back(section);
+    return one;
+}
 
 } // namespace
 
 std::vector<FindingRow> inRows(const std::vector<Finding> &findings)
 {
+    const auto kindOf = [](const Finding &finding) {
+        return std::pair(finding.kind, finding.severity);
+    };
+    std::map<std::pair<const FindingKind *, Severity>, std::vector<Finding>> alike;
+    for (const Finding &finding : findings)
+        alike[kindOf(finding)].push_back(finding);
     std::vector<FindingRow> rows;
-    std::map<const FindingKind *, int> alike;
     for (const Finding &finding : findings) {
-        if (alike[finding.kind]++ < kMostAlike) {
-            rows.push_back({finding});
+        std::vector<Finding> &all = alike[kindOf(finding)];
+        if (all.empty())
+            continue; // they have their row
+        if (static_cast<int>(all.size()) <= kMostAlike) {
+            rows.push_back({finding, {finding}});
             continue;
         }
-        const auto last = std::find_if(rows.rbegin(), rows.rend(), [&](const FindingRow &row) {
-            return row.finding.kind == finding.kind;
-        });
-        last->count += 1;
-        last->finding.sections.insert(last->finding.sections.end(), finding.sections.begin(),
-                                      finding.sections.end());
+        rows.push_back({inOne(all), all});
+        all.clear();
     }
     return rows;
 }
@@ -120,7 +143,12 @@ Stage mendsOf(const std::vector<Stage> &others)
                          for (const FindingRow &row : rows) {
                              progress.set(static_cast<double>(&row - rows.data()) /
                                           static_cast<double>(rows.size()));
-                             out.ofFindings.emplace_back(row.finding, judge.mendsOf(row));
+                             if (row.count() > 1)
+                                 out.ofFindings.emplace_back(row.finding, judge.mendsOfAll(row));
+                             for (int i = 0; i < std::min(row.count(), kMostTried); ++i) {
+                                 const Finding &one = row.all[static_cast<std::size_t>(i)];
+                                 out.ofFindings.emplace_back(one, judge.mendsOf(one));
+                             }
                              if (stop.stop_requested())
                                  return failure(ErrorCode::Cancelled);
                          }

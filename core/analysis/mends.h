@@ -10,16 +10,20 @@
 
 namespace fff {
 
-/// More findings of one kind than this say less than a number does; the others are one row.
-inline constexpr int kMostAlike = 12;
+/// More findings of one kind than this are one row: a number says as much.
+inline constexpr int kMostAlike = 2;
+/// Of so many of a row it is worked out what can be done about each.
+inline constexpr int kMostTried = 12;
 
-/// What a person sees in one row: a finding, or what is left of many of one kind.
+/// What a person sees in one row: a finding, or all of one kind and severity.
 struct FindingRow
 {
-    Finding finding; // of many: with the sections of all of them
-    int count = 1;
+    Finding finding;          // of many: with the sections of all of them, and of no one place
+    std::vector<Finding> all; // that it stands for, in their order: at least one
+
+    int count() const { return static_cast<int>(all.size()); }
 };
-/// In the order of the findings.
+/// In the order of the findings, of many where the first one is.
 std::vector<FindingRow> inRows(const std::vector<Finding> &findings);
 
 /// Something that can be done.

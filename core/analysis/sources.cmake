@@ -54,6 +54,7 @@ target_sources(fff_core PRIVATE
     analysis/joining_move.cpp
     analysis/mends.cpp
     analysis/movement.cpp
+    analysis/outlined_sections.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp
     analysis/stage.cpp

@@ -71,6 +71,10 @@ public:
     virtual bool hasOffer() const { return false; }
     virtual void takeOffer() {}
 
+    /// It moves the view alone: what lies over the model stays.
+    virtual bool isOfView() const { return false; }
+    /// It drags control points, which are shown meanwhile.
+    virtual bool marksPoints() const { return false; }
     /// It puts the marks of joints among what is selected by itself.
     virtual bool marksJoints() const { return false; }
     /// The same of the handles of an operation.

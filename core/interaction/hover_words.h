@@ -15,8 +15,7 @@ inline constexpr Text kSeenOnEdge =
     FFF_TEXT("Hint", "Click to select %1. Drag to turn the view: on its edge nothing is drawn.");
 inline constexpr Text kMoveCut =
     FFF_TEXT("Hint", "Drag to move the cut through the model; Esc closes it.");
-inline constexpr Text kChooseProblem =
-    FFF_TEXT("Hint", "Click to select problem %1; drag to turn the view.");
+inline constexpr Text kChooseProblem = FFF_TEXT("Hint", "Click to select problem %1.");
 inline constexpr Text kMovePoint = FFF_TEXT(
     "Hint", "Drag to move the point; <kbd>Ctrl</kbd> makes a corner, arrow keys move 1\u202fmm.");
 inline constexpr Text kMoveHandle =

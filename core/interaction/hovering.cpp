@@ -53,9 +53,12 @@ void Hovering::mark(const Sight &sight, double now, double nameDelay, Hovered &h
     hovered.cubePart = sight.cubePartAt(*m_position);
     if (hovered.cubePart)
         return;
-    hovered.problem = sight.markAt(*m_position);
-    if (hovered.problem > 0)
+    if (const std::optional<PlacedMark> mark = sight.markAt(*m_position)) {
+        const ProblemMark &first = sight.marks[mark->marks.front()];
+        hovered.problem = first.number;
+        hovered.problemPlace = first.place;
         return;
+    }
     hovered.isCutHandle = sight.isOnHandle(*m_position);
     if (hovered.isCutHandle)
         return;

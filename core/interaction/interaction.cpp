@@ -156,6 +156,17 @@ const std::vector<ProblemMark> &Interaction::marks() const
     return d->marks;
 }
 
+bool Interaction::isHandBusy() const
+{
+    return d->isHandBusy();
+}
+
+void Interaction::setListsJoints(bool lists)
+{
+    if (std::exchange(d->listsJoints, lists) != lists)
+        d->update();
+}
+
 void Interaction::setMarks(std::vector<ProblemMark> marks)
 {
     if (marks == d->marks)

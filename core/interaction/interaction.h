@@ -46,8 +46,8 @@ public:
     virtual void preview(Document document) = 0;
     virtual void cancelPreview() = 0;
     virtual void commit(const Step &step, Document document) = 0;
-    /// The mark of this number was clicked.
-    virtual void chooseProblem(int /*number*/) {}
+    /// The mark of this number was clicked, of several places of its row that one.
+    virtual void chooseProblem(int /*number*/, int /*place*/) {}
     /// The handle of this parameter was clicked.
     virtual void chooseParameter(OperationId /*operation*/, const std::string & /*key*/) {}
 };
@@ -110,9 +110,14 @@ public:
     const ViewState &view() const;
     void setView(ViewState view);
 
-    /// Numbers beside problems: to be hovered and clicked, in the way of nothing else.
+    /// Marks of problems: to be hovered and clicked, in the way of nothing else.
     const std::vector<ProblemMark> &marks() const;
     void setMarks(std::vector<ProblemMark> marks);
+    /// A tool, or what a drag changes, is in the hand: only its own marks are seen and hit then.
+    bool isHandBusy() const;
+    /// The joints of what is selected are listed somewhere: so their marks are all there, not only
+    /// those under the cursor.
+    void setListsJoints(bool lists);
 
     void handle(const PointerEvent &event);
     /// Esc: one step back (gesture, tool, selection, cut, isolated sections). True when there was

@@ -42,11 +42,23 @@ void Interaction::Private::markJoints()
     if (gesture && gesture->marksJoints())
         return;
     overlay.selected.remove<sign::Joints>();
-    if (!marksSelection())
+    if (isHandBusy())
         return;
+    const Model &model = host.model();
+    const auto under = static_cast<std::size_t>(std::max(sectionUnderCursor, 0));
+    const std::optional<SectionRef> pointedAt =
+        hovering.isOverView() && sectionUnderCursor >= 0 && under < model.sectionCount()
+            ? std::optional(model.ref(under))
+            : std::nullopt;
+    // A model is full of joints: those are marked that are asked for, by the cursor or in a list.
+    const auto isAskedFor = [&](const JointRef &joint) {
+        return listsJoints || selection.joint() == joint ||
+               (hoveredJoint && hoveredJoint->joint == joint) ||
+               (pointedAt && (joint.a == *pointedAt || joint.b == *pointedAt));
+    };
     sign::Joints shown;
-    for (const JointMark &mark : jointMarks.of(host.model(), selection)) {
-        if (!isShown(mark, sight()))
+    for (const JointMark &mark : jointMarks.of(model, selection)) {
+        if (!isAskedFor(mark.joint) || !isShown(mark, sight()))
             continue;
         if (!gesture && hoveredJoint == mark)
             shown.hovered = static_cast<int>(shown.marks.size());

@@ -39,6 +39,11 @@ void Interaction::Private::move(const PointerEvent &event)
     const PointerEvent begin = pending.front();
     if ((event.position - begin.position).norm() <= settings.dragThreshold)
         return;
+    // A finger, or a script, comes without having been there before.
+    if (const JointMark *mark = jointMarkAt(begin.position)) {
+        hoveredJoint = *mark;
+        markJoints();
+    }
     GestureContext with = context();
     gesture = gestureFor(begin, sight(), with);
     cameraBefore = motion.camera;
@@ -141,8 +146,9 @@ void Interaction::Private::click(const PointerEvent &begin)
              now, std::min(kCubeTime, settings.turnTime));
         return;
     }
-    if (const int number = sight().markAt(begin.position); number > 0) {
-        host.chooseProblem(number);
+    if (const std::optional<PlacedMark> mark = sight().markAt(begin.position)) {
+        const ProblemMark &chosen = marks[chosenBy(*mark, marks)];
+        host.chooseProblem(chosen.number, chosen.place);
         return;
     }
     if (sight().isOnHandle(begin.position))
@@ -181,6 +187,7 @@ void Interaction::Private::hover()
         hovering.unmark(hovered);
     else
         hovering.mark(sight(), now, settings.nameDelay, hovered);
+    sectionUnderCursor = hovered.section;
     hoverMarks();
 }
 
@@ -212,6 +219,11 @@ bool Interaction::Private::marksSelection() const
     return !tool && !overlay.hasStroke();
 }
 
+bool Interaction::Private::isHandBusy() const
+{
+    return tool || overlay.hasStroke() || (gesture && !gesture->isOfView());
+}
+
 void Interaction::Private::markPoints()
 {
     overlay.selected.remove<sign::Points>();
@@ -220,7 +232,9 @@ void Interaction::Private::markPoints()
         sections.size() == 1 ? originOf(host.model(), sections.front()) : std::nullopt;
     if (points.section() != (origin ? origin->section->id : SectionId()))
         points.clear();
-    if (const auto ref = marksSelection() ? sectionWithPoints(sight(), selection) : std::nullopt)
+    const bool isInWay = gesture && !gesture->isOfView() && !gesture->marksPoints();
+    if (const auto ref =
+            marksSelection() && !isInWay ? sectionWithPoints(sight(), selection) : std::nullopt)
         overlay.selected.put(sign::Points{*ref, points.points(), hoveredPoint});
 }
 

@@ -71,7 +71,13 @@ public:
         return {host.model(), settings, motion.viewport, motion.camera, overlay,
                 hovered,      view,     selection,       points};
     }
-    Sight sight() const { return {host.model(), motion.camera, motion.viewport, view, marks}; }
+    Sight sight() const
+    {
+        const std::span<const ProblemMark> seen =
+            isHandBusy() ? std::span<const ProblemMark>() : marks;
+        return {host.model(), motion.camera, motion.viewport, view, seen};
+    }
+    bool isHandBusy() const;
 
     void moveOn(double time);
     void showLate();
@@ -157,6 +163,8 @@ public:
     std::optional<PointTarget> hoveredPoint;
     JointMarks jointMarks;
     std::optional<JointMark> hoveredJoint;
+    bool listsJoints = false;
+    int sectionUnderCursor = -1;                  // also where a mark lies before it
     std::optional<OperationHandle> hoveredHandle; // of the selected operation
     Pointer pointer = Pointer::Mouse;             // of the last event
     ClickSelection clicks;

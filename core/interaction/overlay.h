@@ -84,6 +84,7 @@ struct Hovered
     std::optional<CubePart> cubePart; // of the view cube
     bool isCutHandle = false;         // also while that is dragged
     int problem = 0;                  // number of its mark; 0: none
+    int problemPlace = 0;             // and which of its places
     DimensionId dimension;            // or in the hand
     LoadId load;                      // "
 

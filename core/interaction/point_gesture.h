@@ -20,6 +20,7 @@ public:
 
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
+    bool marksPoints() const override { return true; }
     Hint hint() const override;
     Cursor cursor() const override { return Cursor::MoveCross; }
 

@@ -1,18 +1,23 @@
 #include "core/interaction/problem_marks.h"
 
+#include "core/interaction/label_room.h"
 #include "core/interaction/view_cube.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <tuple>
 
 namespace fff {
 
 namespace {
 
-/// From an anchor up to its mark, px; further rings of places lie this far apart.
+/// From an anchor up to its number, px; further rings of places lie this far apart.
 constexpr double kReach = 26.0, kRingStep = 24.0;
 constexpr int kRings = 8;
+/// The cursor is on a dot up to here, px; on a number up to its edge and a little more.
+constexpr double kDotReach = 9.0, kNumberReach = kMarkRadius + 1.0;
 
 bool isInView(const Vec3 &world, const Camera &camera, const Vec2 &viewport)
 {
@@ -29,34 +34,15 @@ bool isHidden(const ProblemMark &mark, const ViewState &view)
                        [&](const SectionRef &ref) { return view.isHidden(ref); });
 }
 
-class Room
+Box2 squareAt(const Vec2 &centre, double half)
 {
-public:
-    explicit Room(const Vec2 &viewport) : m_viewport(viewport), m_cube(cubeCentre(viewport)) {}
-
-    bool isFree(const Vec2 &centre) const
-    {
-        constexpr double kMargin = kMarkRadius + kMarkGap;
-        if ((centre.array() < kMargin).any() ||
-            (centre.array() > m_viewport.array() - kMargin).any())
-            return false;
-        if (m_cube && (centre - *m_cube).norm() < 0.5 * kCubeRoom + kMarkRadius)
-            return false;
-        return std::all_of(m_taken.begin(), m_taken.end(), [&](const Vec2 &taken) {
-            return (taken - centre).norm() >= 2.0 * kMarkRadius + kMarkGap;
-        });
-    }
-    void take(const Vec2 &centre) { m_taken.push_back(centre); }
-
-private:
-    Vec2 m_viewport;
-    std::optional<Vec2> m_cube;
-    std::vector<Vec2> m_taken;
-};
+    return {centre - Vec2::Constant(half), centre + Vec2::Constant(half)};
+}
 
 /// Straight up if it is free, then to either side of that, then further out.
-Vec2 placeFor(const Vec2 &anchor, const Room &room)
+Vec2 placeOfNumber(const Vec2 &anchor, const LabelRoom &room)
 {
+    constexpr double kHalf = kMarkRadius + kMarkGap;
     for (int ring = 0; ring < kRings; ++ring) {
         const double reach = kReach + ring * kRingStep;
         const int ways = 8 * (ring + 1);
@@ -64,11 +50,43 @@ Vec2 placeFor(const Vec2 &anchor, const Room &room)
             const int turn = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
             const double angle = 2.0 * std::numbers::pi * turn / ways;
             const Vec2 centre = anchor + reach * Vec2(std::sin(angle), -std::cos(angle));
-            if (room.isFree(centre))
+            if (room.isFree(squareAt(centre, kHalf)))
                 return centre;
         }
     }
-    return anchor - Vec2(0.0, kReach);
+    const auto free = room.placeFor(anchor, Vec2::Constant(2.0 * kHalf));
+    return free ? free->center() : Vec2(anchor - Vec2(0.0, kReach));
+}
+
+/// Those that are seen, the chosen one first, then errors, in the order of their rows.
+std::vector<std::size_t> seenMarks(std::span<const ProblemMark> marks, const Camera &camera,
+                                   const Vec2 &viewport, const ViewState &view)
+{
+    std::vector<std::size_t> seen;
+    for (std::size_t i = 0; i < marks.size(); ++i)
+        if (!isHidden(marks[i], view) && isInView(marks[i].at, camera, viewport))
+            seen.push_back(i);
+    std::stable_sort(seen.begin(), seen.end(), [&](std::size_t a, std::size_t b) {
+        return std::tuple(!marks[a].isChosen, !marks[a].isError) <
+               std::tuple(!marks[b].isChosen, !marks[b].isError);
+    });
+    return seen;
+}
+
+/// The nearest one that it would lie on, of the numbers first; null: none is near.
+PlacedMark *nearby(const Vec2 &anchor, std::vector<PlacedMark> &placed)
+{
+    PlacedMark *best = nullptr;
+    double nearest = kMergeReach;
+    for (PlacedMark &mark : placed) {
+        const double distance = (mark.anchor - anchor).norm();
+        const bool isUnder = !mark.isDot && (mark.centre - anchor).norm() < kMergeReach;
+        if (distance < nearest || (isUnder && !best)) {
+            nearest = std::min(distance, nearest);
+            best = &mark;
+        }
+    }
+    return best;
 }
 
 } // namespace
@@ -76,27 +94,64 @@ Vec2 placeFor(const Vec2 &anchor, const Room &room)
 std::vector<PlacedMark> placeMarks(std::span<const ProblemMark> marks, const Camera &camera,
                                    const Vec2 &viewport, const ViewState &view)
 {
+    const std::vector<std::size_t> seen = seenMarks(marks, camera, viewport, view);
+    LabelRoom room(viewport);
+    const std::optional<Vec2> cube = cubeCentre(viewport);
+    if (cube)
+        room.take(squareAt(*cube, 0.5 * kCubeRoom));
+
     std::vector<PlacedMark> placed;
-    Room room(viewport);
-    for (const ProblemMark &mark : marks) {
-        if (isHidden(mark, view) || !isInView(mark.at, camera, viewport))
-            continue;
+    std::set<int> numbered; // rows
+    std::vector<std::size_t> others;
+    for (const std::size_t i : seen) {
+        const ProblemMark &mark = marks[i];
         const Vec2 anchor = camera.toScreen(mark.at, viewport);
-        const Vec2 centre = placeFor(anchor, room);
-        room.take(centre);
-        placed.push_back({mark.number, anchor, centre, mark.isError});
+        if (!(mark.isChosen || mark.isError) || placed.size() >= kMostNumbers ||
+            numbered.contains(mark.number) || nearby(anchor, placed)) {
+            others.push_back(i);
+            continue;
+        }
+        const Vec2 centre = placeOfNumber(anchor, room);
+        room.take(squareAt(centre, kMarkRadius));
+        numbered.insert(mark.number);
+        placed.push_back({{i}, mark.number, anchor, centre, mark.isError, false});
+    }
+    for (const std::size_t i : others) {
+        const Vec2 anchor = camera.toScreen(marks[i].at, viewport);
+        if (PlacedMark *same = nearby(anchor, placed))
+            same->marks.push_back(i);
+        else if (!cube || (anchor - *cube).cwiseAbs().maxCoeff() > 0.5 * kCubeRoom + kDotsRadius)
+            placed.push_back({{i}, marks[i].number, anchor, anchor, marks[i].isError, true});
     }
     return placed;
 }
 
-int markAt(const Vec2 &screen, std::span<const PlacedMark> marks)
+const PlacedMark *markAt(const Vec2 &screen, std::span<const PlacedMark> marks)
 {
-    // What was placed last is painted on top.
-    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-        if ((mark->centre - screen).norm() <= kMarkRadius + 1.0)
-            return mark->number;
+    const PlacedMark *best = nullptr;
+    double nearest = kDotReach;
+    for (const PlacedMark &mark : marks) {
+        const double distance = (mark.centre - screen).norm();
+        if (!mark.isDot && distance <= kNumberReach)
+            return &mark; // numbers lie over dots
+        if (mark.isDot && distance <= nearest) {
+            nearest = distance;
+            best = &mark;
+        }
     }
-    return 0;
+    return best;
+}
+
+std::size_t chosenBy(const PlacedMark &placed, std::span<const ProblemMark> marks)
+{
+    // The chosen one comes first in the mark, and is not where it is in the list.
+    std::vector<std::size_t> all = placed.marks;
+    std::sort(all.begin(), all.end());
+    const auto chosen =
+        std::find_if(all.begin(), all.end(), [&](std::size_t i) { return marks[i].isChosen; });
+    if (chosen == all.end())
+        return placed.marks.front();
+    return std::next(chosen) == all.end() ? all.front() : *std::next(chosen);
 }
 
 } // namespace fff

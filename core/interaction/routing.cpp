@@ -20,7 +20,7 @@ std::unique_ptr<Gesture> onViewMark(const PointerEvent &press, const Sight &sigh
     const Vec2 &at = press.position;
     if (sight.cubePartAt(at))
         return std::make_unique<OrbitGesture>(press, sight.middleOf(context.selection.sections()));
-    if (sight.markAt(at) > 0)
+    if (sight.isOnNumber(at))
         return std::make_unique<OrbitGesture>(press, sight.pivotAt(at));
     return std::make_unique<ClipGesture>(press, context);
 }
@@ -104,7 +104,7 @@ std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
 
 bool isOnViewMark(const Sight &sight, const Vec2 &position)
 {
-    return sight.cubePartAt(position) || sight.markAt(position) > 0 || sight.isOnHandle(position);
+    return sight.cubePartAt(position) || sight.isOnNumber(position) || sight.isOnHandle(position);
 }
 
 std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sight,

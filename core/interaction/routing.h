@@ -10,7 +10,7 @@
 namespace fff {
 
 /// Over the view itself: its cube, the numbers of problems, the handle of the cut. Left presses
-/// there are nobody else's.
+/// there are nobody else's. Dots of problems take clicks alone: one may draw across them.
 bool isOnViewMark(const Sight &sight, const Vec2 &position);
 
 /// The gesture of a press that became a drag. The camera's target comes to the depth of what was

@@ -54,6 +54,7 @@ private:
 class PointBandGesture : public BandGesture
 {
 public:
+    bool marksPoints() const override { return true; }
     PointBandGesture(const PointerEvent &press, const Section &section,
                      const GestureContext &context);
     Hint hint() const override { return hints::kPointBand; }

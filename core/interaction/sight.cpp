@@ -33,9 +33,17 @@ std::optional<CubePart> Sight::cubePartAt(const Vec2 &position) const
     return fff::cubePartAt(position, camera.orientation, viewport);
 }
 
-int Sight::markAt(const Vec2 &position) const
+std::optional<PlacedMark> Sight::markAt(const Vec2 &position) const
 {
-    return fff::markAt(position, placeMarks(marks, camera, viewport, view));
+    const std::vector<PlacedMark> placed = placeMarks(marks, camera, viewport, view);
+    const PlacedMark *there = fff::markAt(position, placed);
+    return there ? std::optional(*there) : std::nullopt;
+}
+
+bool Sight::isOnNumber(const Vec2 &position) const
+{
+    const std::optional<PlacedMark> there = markAt(position);
+    return there && !there->isDot;
 }
 
 Vec3 Sight::pivotAt(const Vec2 &position) const

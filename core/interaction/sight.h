@@ -28,8 +28,10 @@ struct Sight
     /// On the handle of the plane that cuts the view open.
     bool isOnHandle(const Vec2 &position) const;
     std::optional<CubePart> cubePartAt(const Vec2 &position) const;
-    /// Number of the problem whose mark is there, 0 when there is none.
-    int markAt(const Vec2 &position) const;
+    /// The mark of a problem that is there; none: there is none.
+    std::optional<PlacedMark> markAt(const Vec2 &position) const;
+    /// It has a number there; a dot is in nobody's way.
+    bool isOnNumber(const Vec2 &position) const;
 
     /// What a turn that begins there turns about: what lies there, else the middle of the model.
     Vec3 pivotAt(const Vec2 &position) const;

@@ -27,6 +27,7 @@ target_sources(fff_core PRIVATE
     interaction/interaction_loads.cpp
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
+    interaction/label_room.cpp
     interaction/mark_editing.cpp
     interaction/mark_tool.cpp
     interaction/measure_tool.cpp

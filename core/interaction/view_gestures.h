@@ -24,6 +24,7 @@ public:
     }
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
+    bool isOfView() const override { return true; }
     Hint hint() const override { return Hint::ofView(hints::kOrbiting); }
     Cursor cursor() const override { return Cursor::TurningArrows; }
 
@@ -40,6 +41,7 @@ public:
     explicit PanGesture(const PointerEvent &press) : m_press(press.position) {}
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
+    bool isOfView() const override { return true; }
     Hint hint() const override { return Hint::ofView(hints::kPanning); }
     Cursor cursor() const override { return Cursor::Hand; }
 
@@ -55,6 +57,7 @@ public:
     explicit ZoomGesture(const PointerEvent &press) : m_press(press.position) {}
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
+    bool isOfView() const override { return true; }
     Hint hint() const override { return Hint::ofView(hints::kZooming); }
     Cursor cursor() const override { return Cursor::MoveCross; }
 

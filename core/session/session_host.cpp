@@ -39,9 +39,9 @@ void SessionHost::commit(const Step &step, Document document)
     m_session.commit(messageText(step.words), std::move(document), step.merges);
 }
 
-void SessionHost::chooseProblem(int number)
+void SessionHost::chooseProblem(int number, int place)
 {
-    Q_EMIT problemChosen(number);
+    Q_EMIT problemChosen(number, place);
 }
 
 void SessionHost::chooseParameter(OperationId operation, const std::string &key)

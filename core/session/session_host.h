@@ -22,11 +22,11 @@ public:
     void preview(Document document) override;
     void cancelPreview() override;
     void commit(const Step &step, Document document) override;
-    void chooseProblem(int number) override;
+    void chooseProblem(int number, int place) override;
     void chooseParameter(OperationId operation, const std::string &key) override;
 
 Q_SIGNALS:
-    void problemChosen(int number);
+    void problemChosen(int number, int place);
     void parameterChosen(fff::OperationId operation, const QString &key);
 
 private:

@@ -47,8 +47,10 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/tst_stress_picture
     ui/tst_theme
     ui/tst_translations
+    ui/tst_words_in_view
     ALONE ui/tst_translations)
 target_compile_definitions(tests_ui PRIVATE FFF_SOURCES="${PROJECT_SOURCE_DIR}"
+    FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples"
     FFF_LUPDATE="$<TARGET_FILE:Qt6::lupdate>")
 if(FFF_SANITIZE) # dialogs load what draws, as on a display
     set_tests_properties(ui/dialogs/tst_dialogs PROPERTIES ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")

@@ -31,6 +31,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <algorithm>
+
 #include <functional>
 #include <set>
 
@@ -84,6 +86,7 @@ private Q_SLOTS:
     void checksSayWhatIsWrong_data();
     void checksSayWhatIsWrong();
     void marksHaveTheNumbersOfTheirRows();
+    void equalOnesAreOneRowThatSteps();
     void aRowUnderTheCursorLightsItsMark();
     void aStepUnderTheCursorIsOutlined();
     void aCheckSelectsWhomItIsAbout();
@@ -296,7 +299,7 @@ void TestDocks::marksHaveTheNumbersOfTheirRows()
                  qPrintable(name));
     }
 
-    Q_EMIT bench.problemChosen(2);
+    Q_EMIT bench.problemChosen(2, 0);
     QVERIFY(find<CheckRow>("checkRow1")->isChecked());
     QVERIFY(bench.interaction().selection() == bench.interaction().marks()[1].sections);
 
@@ -304,6 +307,50 @@ void TestDocks::marksHaveTheNumbersOfTheirRows()
     QVERIFY(bench.interaction().marks().empty());
     find<QDockWidget>("checksDock")->toggleViewAction()->trigger();
     QVERIFY(!bench.interaction().marks().empty());
+}
+
+// Wrong: ten rows that say the same, or one row from which one cannot come to each place.
+void TestDocks::equalOnesAreOneRowThatSteps()
+{
+    Document document = cross();
+    for (const double at : {90.0, -90.0, 130.0})
+        document = withSection(document, polygonShape(rectangle(-50, 0, 50, 60)), front(at));
+    session().reset(document);
+    Workbench &bench = m_window->bench();
+    const auto count = [&] { // of the first row
+        const auto &marks = bench.interaction().marks();
+        return std::count_if(marks.begin(), marks.end(),
+                             [](const ProblemMark &mark) { return mark.number == 1; });
+    };
+    QTRY_COMPARE(count(), 3);
+    for (int i = 0; i < 3; ++i) {
+        const ProblemMark &mark = bench.interaction().marks()[static_cast<std::size_t>(i)];
+        QCOMPARE(mark.place, i);
+        QVERIFY(!mark.words.empty());
+    }
+    const auto name = [this] { return find<CheckRow>("checkRow0")->accessibleName(); };
+    QVERIFY2(name().contains(QStringLiteral("in 3 places")), qPrintable(name()));
+    const auto chosen = [&] {
+        int at = -1;
+        for (const ProblemMark &mark : bench.interaction().marks())
+            at = mark.isChosen && mark.number == 1 ? mark.place : at;
+        return at;
+    };
+    QCOMPARE(chosen(), -1);
+    for (const int place : {0, 1, 2, 0}) {
+        find<CheckRow>("checkRow0")->click(); // its links move about until it is known what helps
+        QCOMPARE(chosen(), place);
+        QVERIFY(find<CheckRow>("checkRow0")->isChecked());
+        QVERIFY2(name().contains(QStringLiteral("%1 of 3").arg(place + 1)), qPrintable(name()));
+        const auto &marks = bench.interaction().marks();
+        QCOMPARE(bench.interaction().selection(), marks[static_cast<std::size_t>(place)].sections);
+    }
+    QTest::keyClick(m_window.get(), Qt::Key_F8);
+    QCOMPARE(chosen(), 1);
+    Q_EMIT bench.problemChosen(1, 2); // its mark was clicked
+    QCOMPARE(chosen(), 2);
+    bench.select({});
+    QCOMPARE(chosen(), -1);
 }
 
 // Wrong: one looks for the row or for the place by reading numbers.

@@ -13,10 +13,12 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QEnterEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 
 #include <cmath>
@@ -34,6 +36,7 @@ private Q_SLOTS:
     void cleanup() { closeWindow(); }
 
     void aMarkIsClickedAndDragged();
+    void theListMarksThem();
     void rowsAndLinksGoThereAndBack();
     void keysAreEnough();
     void kindsThatCannotBeHadSayWhy();
@@ -115,6 +118,25 @@ void TestJoints::aMarkIsClickedAndDragged()
     QCOMPARE(session().history()->undoText(), QStringLiteral("Body · Head: reset to automatic"));
     // Wrong: the focus goes on to another dock.
     QCOMPARE(QApplication::focusWidget(), field<QComboBox>("jointKind"));
+}
+
+// Wrong: one reads of joints and does not see where they are; or all of them are seen all the time.
+void TestJoints::theListMarksThem()
+{
+    move({5, 5}); // on no section
+    const auto marked = [this] { return interaction().overlay().find<sign::Joints>() != nullptr; };
+    auto *dock = field<QDockWidget>("propertiesDock");
+    auto *list = field<QWidget>("jointList");
+    QTRY_VERIFY(list->isVisible());
+    for (QWidget *above = list; above; above = above->parentWidget())
+        if (auto *area = qobject_cast<QScrollArea *>(above))
+            area->ensureWidgetVisible(list);
+    QTRY_VERIFY(marked());
+    dock->hide();
+    QTRY_VERIFY(!marked());
+    move(onScreen({30, 10, 0})); // on Body, whose joint it is
+    QTRY_VERIFY(marked());
+    dock->show();
 }
 
 void TestJoints::rowsAndLinksGoThereAndBack()

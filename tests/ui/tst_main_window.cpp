@@ -632,10 +632,16 @@ void TestMainWindow::viewActionsShowTheirState()
     QTest::keyClick(m_view, Qt::Key_X);
     QVERIFY(action("view.xray")->isChecked());
     QVERIFY(interaction().view().isXray);
+    auto *chip = m_window->findChild<QAbstractButton *>(QStringLiteral("xrayChip"));
+    QVERIFY(chip->isVisible()); // it says why the model looks so, and ends it
+    QTest::mouseClick(chip, Qt::LeftButton);
+    QVERIFY(!interaction().view().isXray && !chip->isVisible());
+    QTest::keyClick(m_view, Qt::Key_X);
     QTest::keyClick(m_view, Qt::Key_V);
     QVERIFY(action("view.perspective")->isChecked());
     QTest::keyClick(m_view, Qt::Key_C);
     QVERIFY(action("view.clip")->isChecked());
+    QVERIFY(m_window->findChild<QAbstractButton *>(QStringLiteral("cutChip"))->isVisible());
     m_window->bench().select({});
     QTest::keyClick(m_view, Qt::Key_Escape); // what is offered of the stroke goes first
     QTest::keyClick(m_view, Qt::Key_Escape);

@@ -28,6 +28,7 @@ void markScene(Scene &scene, const Workbench &bench)
     if (hovered >= 0 && static_cast<std::size_t>(hovered) < model.sectionCount())
         hoveredOperation = model.ref(static_cast<std::size_t>(hovered)).operation;
     applyView(scene, model, interaction.view());
+    const bool isBusy = interaction.isHandBusy();
     const bool isDrawing =
         interaction.overlay().find<sign::Stroke>() || hasPath(interaction.overlay());
     // All stand back for the section that is being drawn: the one that is not as it was.
@@ -58,6 +59,8 @@ void markScene(Scene &scene, const Workbench &bench)
         section.isSibling = hoveredOperation.isValid() && ref.operation == hoveredOperation;
         section.isMade = !made.empty() && made.contains(ref);
         section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
+        if (isBusy) // what the hand has is all that is looked at
+            section.isProblem = section.isFaulty = false;
         if (isTried) {
             section.isHovered = bench.differsInTrial(ref);
             section.isGhost = !section.isHovered;

@@ -30,7 +30,7 @@ std::vector<SectionRef> presentlyOutlined(const Workbench &bench)
 bool Seen::isSamePicture(const Seen &other) const
 {
     return camera == other.camera && view == other.view && isGhosted == other.isGhosted &&
-           operation == other.operation;
+           isBusy == other.isBusy && operation == other.operation;
 }
 
 int litMark(const Workbench &bench)
@@ -70,6 +70,7 @@ Seen seenOn(const Workbench &bench)
             !overlay.drawn.isEmpty(),
             interaction.operationInFocus(),
             interaction.hasGesture(),
+            interaction.isHandBusy(),
             overlay.find<sign::Stroke>() || hasPath(overlay),
             interaction.marks(),
             litMark(bench),

@@ -19,7 +19,7 @@ struct Seen
     Signs selected, held, offered;
     bool isDrawn = false;  // a gesture shows something: that is not compared
     OperationId operation; // in focus
-    bool hasGesture = false, isGhosted = false;
+    bool hasGesture = false, isBusy = false, isGhosted = false;
     std::vector<ProblemMark> marks;
     int litMark = 0;
     ProblemLook problems;

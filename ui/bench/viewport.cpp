@@ -1,5 +1,6 @@
 #include "ui/bench/viewport.h"
 
+#include "core/base/tolerances.h"
 #include "core/model/origin.h"
 #include "core/session/scheduler.h"
 #include "ui/base/cursors.h"
@@ -42,6 +43,13 @@ bool isTouch(QEvent::Type type)
 {
     return type == QEvent::TouchBegin || type == QEvent::TouchUpdate || type == QEvent::TouchEnd ||
            type == QEvent::TouchCancel;
+}
+
+bool isBelowGround(const Scene &scene)
+{
+    return std::any_of(
+        scene.sections.begin(), scene.sections.end(),
+        [](const SceneSection &section) { return section.bounds.min.y() < -kGroundSunk; });
 }
 
 } // namespace
@@ -147,7 +155,7 @@ void Viewport::paintGL()
         RenderOptions options;
         options.quality = m_pace.begin(frameTime(), std::exchange(m_isPictureChanged, false));
         options.isXray = interaction.view().isXray;
-        options.hasGround = interaction.view().hasGround;
+        options.hasGround = interaction.view().hasGround && !m_areStepsBelow;
         options.clip = interaction.view().clip;
         const Scene &shown = m_steps ? m_steps->scene : m_strained.shown(m_scene, options);
         m_renderer.render(shown, interaction.camera(), Vec2(width(), height()), devicePixelRatioF(),
@@ -184,19 +192,22 @@ void Viewport::paintMarks()
                        m_scene.sections.empty(),
                        !interaction.hasGesture() && !overlay.find<PenMarks>()};
     scene.view = interaction.view();
+    scene.view.hasGround = scene.view.hasGround && !m_areStepsBelow;
     scene.unit = settings().unit();
-    const bool isDrawing =
-        overlay.find<sign::Slit>() || overlay.find<sign::Stroke>() || hasPath(overlay);
+    // What the hand has is all that is looked at then.
+    const bool isBusy = interaction.isHandBusy();
     // Nothing stays behind where the model was: it goes until the model is back.
     scene.timesMoved = m_steps ? 0.0 : m_strained.timesMoved();
     const bool isMoved = scene.timesMoved > 0.0;
-    if (!isDrawing && !isMoved)
+    if (!isBusy && !isMoved) {
+        scene.problemMarks = interaction.marks();
         scene.marks =
-            placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
+            placeMarks(scene.problemMarks, interaction.camera(), scene.viewport, scene.view);
+    }
     scene.litMark = litMark(m_bench);
     m_offer = {};
     scene.offer = &m_offer;
-    if (!isDrawing && !m_steps && !isMoved) {
+    if (!isBusy && !m_steps && !isMoved) {
         scene.ghosts = m_bench.ghosts();
         scene.problems = m_bench.problemLook();
     }
@@ -216,7 +227,13 @@ void Viewport::paintMarks()
         scene.dimensions = dimensionSigns(model, over.dimension);
         for (const Sign &sign : loadSigns(model, scene.view, over.load, interaction.selectedLoad()))
             scene.dimensions.add(sign);
+        if (isBusy)
+            dropWordsOfOthers(scene.dimensions);
     }
+    // What stands over the view hides what lies under it.
+    for (const QWidget *above : findChildren<QWidget *>(Qt::FindDirectChildrenOnly))
+        if (above->isVisible())
+            scene.covered.push_back(above->geometry());
     if (!m_steps) {
         scene.stress = m_strained.stress();
         scene.bearing = m_strained.bearing();
@@ -226,8 +243,6 @@ void Viewport::paintMarks()
     QPainter painter(&m_marks);
     painter.setFont(font());
     paintOverlay(painter, scene, theme().viewStyle(), locale());
-    if (m_steps)
-        paintStepsFrame(painter);
     if (!m_showsFocus)
         return;
     const QRectF inside = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
@@ -238,20 +253,12 @@ void Viewport::paintMarks()
     }
 }
 
-/// The view shows something else than the model as it is edited: nobody may miss that.
-void Viewport::paintStepsFrame(QPainter &painter) const
-{
-    constexpr double kWidth = 3.0;
-    const double half = 0.5 * kWidth;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme().accent, kWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-    painter.drawRect(QRectF(rect()).adjusted(half, half, -half, -half));
-}
-
 void Viewport::showSteps(std::shared_ptr<const StepsPicture> picture)
 {
     if (!picture && !m_steps)
         return;
+    // Parts that come from below would come out of the ground: then none is shown.
+    m_areStepsBelow = picture && (m_areStepsBelow || isBelowGround(picture->scene));
     m_steps = std::move(picture);
     m_isPictureChanged = true;
     update();

@@ -34,7 +34,7 @@ public:
     int paintCount() const { return m_paintCount; }
     const Renderer &renderer() const { return m_renderer; }
 
-    /// Drawn in place of the model, in a frame that says so; null: the model again.
+    /// Drawn in place of the model; null: the model again.
     void showSteps(std::shared_ptr<const StepsPicture> picture);
     const StepsPicture *steps() const { return m_steps.get(); }
 
@@ -71,7 +71,6 @@ private:
     void watchAnalysis();
     bool isOnOffer(const QPointF &place) const;
     void paintMarks();
-    void paintStepsFrame(QPainter &painter) const;
 
     /// ms; by it frames are timed, and drawn the simpler the longer they take.
     double frameTime() const { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; }
@@ -83,6 +82,7 @@ private:
     SceneBuilder m_builder, m_triedBuilder; // of the session's analysis, and of what is tried
     Scene m_scene;
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
+    bool m_areStepsBelow = false;                // parts of them come from under the ground
     StrainedView m_strained;
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here

@@ -271,6 +271,12 @@ void Workbench::layDownTool()
     announceChanges();
 }
 
+void Workbench::setListsJoints(bool lists)
+{
+    m_interaction->setListsJoints(lists);
+    announceChanges();
+}
+
 void Workbench::setLitProblem(int number)
 {
     if (std::exchange(m_litProblem, number) != number)

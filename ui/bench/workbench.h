@@ -74,6 +74,8 @@ public:
     const ProblemLook &problemLook() const { return m_areMarksAside ? m_noLook : m_look; }
     /// Put aside for as long as something else than the model is shown.
     void setMarksAside(bool aside);
+    /// The joints of what is selected are read in a list: they are all marked in the view.
+    void setListsJoints(bool lists);
     /// The mark that is shown as if the cursor were on it, because it is on its row; 0: none.
     void setLitProblem(int number);
     int litProblem() const { return m_litProblem; }
@@ -130,7 +132,7 @@ Q_SIGNALS:
     void viewStateChanged();
     void editFailed(const fff::Error &error);
     /// The mark of this problem was clicked, or is under the cursor (0: none is).
-    void problemChosen(int number);
+    void problemChosen(int number, int place);
     /// The handle of this parameter was clicked.
     void parameterChosen(fff::OperationId operation, const QString &key);
     void problemHovered(int number);

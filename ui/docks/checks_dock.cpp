@@ -5,8 +5,8 @@
 #include "core/analysis/findings/order.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/strengthening.h"
+#include "core/analysis/outlined_sections.h"
 #include "core/assembly/joint_state.h"
-#include "core/fabrication/summary.h"
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
 #include "ui/base/icon.h"
@@ -39,20 +39,6 @@ namespace fff::ui {
 namespace {
 
 constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
-
-bool isProblem(const Finding &finding)
-{
-    return finding.severity >= Severity::Warning;
-}
-
-/// With what a person can do themselves.
-QString withAdvice(const QString &text, const Finding &finding)
-{
-    if (!finding.kind->advice.source)
-        return text;
-    const QString advice = messageText(finding.kind->advice);
-    return text.isEmpty() ? advice : text + u' ' + advice;
-}
 
 } // namespace
 
@@ -148,9 +134,10 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
                 if (before.sectionCount() == 0 || after.sectionCount() == 0)
                     refresh(); // whether there is anything to check
             });
-    connect(&bench, &Workbench::problemChosen, this, [this](int number) {
+    connect(&bench, &Workbench::problemChosen, this, [this](int number, int place) {
         if (const int row = rowOf(number); row >= 0) {
             Q_EMIT shown();
+            entryAt(row).place = std::clamp(place, 0, entryAt(row).count() - 1);
             choose(row, false); // the view has it in sight
         }
     });
@@ -175,7 +162,7 @@ std::optional<Finding> ChecksDock::focusedFinding() const
     const QWidget *focus = m_area->widget()->focusWidget();
     for (std::size_t i = 0; focus && focus->hasFocus() && i < m_rows.size(); ++i)
         if (m_widgets[i] == focus || m_widgets[i]->isAncestorOf(focus))
-            return m_rows[i].finding;
+            return m_rows[i].finding();
     return {};
 }
 
@@ -185,7 +172,7 @@ void ChecksDock::returnFocus(const Finding &finding)
 {
     const auto rowWith = [this](auto isIt) {
         return std::find_if(m_rows.begin(), m_rows.end(),
-                            [&](const Row &row) { return isIt(row.finding); });
+                            [&](const CheckEntry &row) { return isIt(row.finding()); });
     };
     auto row = rowWith([&](const Finding &now) { return isSameVerdict(finding, now); });
     if (row == m_rows.end())
@@ -201,23 +188,16 @@ void ChecksDock::returnFocus(const Finding &finding)
 void ChecksDock::refresh()
 {
     const std::optional<Finding> focused = focusedFinding();
-    m_rows.clear();
     m_bench.setTried(nullptr); // it was tried on what was there before
-    for (FindingRow &row : inRows(m_list.all()))
-        m_rows.push_back({std::move(row.finding), row.count, 0, {}});
-    std::stable_sort(m_rows.begin(), m_rows.end(), [](const Row &a, const Row &b) {
-        return a.finding.severity > b.finding.severity;
-    });
-
-    const bool isOlder = m_list.age() != CheckList::Age::Current;
+    m_rows = checkEntries(m_list, m_rows);
     while (m_widgets.size() < m_rows.size()) {
         auto *row = new CheckRow(m_area->widget());
         const int index = static_cast<int>(m_widgets.size());
         row->setObjectName(QStringLiteral("checkRow%1").arg(index));
-        connect(row, &CheckRow::clicked, this, [this, index] { choose(index, true); });
+        connect(row, &CheckRow::clicked, this, [this, index] { click(index); });
         connect(row, &CheckRow::hovered, this, [this, index](bool isOver) {
             const bool isThere = isOver && index < static_cast<int>(m_rows.size());
-            m_bench.setLitProblem(isThere ? m_rows[static_cast<std::size_t>(index)].number : 0);
+            m_bench.setLitProblem(isThere ? entryAt(index).number : 0);
         });
         connect(row, &CheckRow::linkClicked, this, [this, index](int link, bool isByKey) {
             // Who works with keys goes on with the next check.
@@ -230,33 +210,13 @@ void ChecksDock::refresh()
         m_column->insertWidget(static_cast<int>(m_widgets.size()), row);
         m_widgets.push_back(row);
     }
-    int number = 0;
-    for (Row &row : m_rows) {
-        if (isProblem(row.finding))
-            row.number = ++number;
-    }
     bool isChosenThere = false;
     for (std::size_t i = 0; i < m_widgets.size(); ++i) {
         m_widgets[i]->setVisible(i < m_rows.size());
         if (i >= m_rows.size())
             continue;
-        const Finding &finding = m_rows[i].finding;
-        CheckWords words = checkWords(finding, m_list.model());
-        if (m_rows[i].count > 1)
-            words = {tr("%n more like this", nullptr, m_rows[i].count), QString()};
-        const QColor colour = isOlder && finding.severity == Severity::Good
-                                  ? theme().muted
-                                  : checkColour(finding.severity);
-        m_rows[i].mends = m_list.mendsOf(finding);
-        QStringList links;
-        for (const Mend &mend : m_rows[i].mends)
-            links += actionText(mend.action, finding, m_list.model());
-        if (isProblem(finding) && m_list.isMendless(finding))
-            words.text = withAdvice(words.text, finding);
-        m_widgets[i]->setContent({checkGlyph(finding.severity), colour,
-                                  severityWord(finding.severity), m_rows[i].number, words.title,
-                                  words.text, links, isOlder});
-        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, finding);
+        m_widgets[i]->setContent(contentOf(m_rows[i], m_list));
+        const bool isChosen = m_chosen && m_rows[i].placeOf(*m_chosen) >= 0;
         m_widgets[i]->setChecked(isChosen);
         isChosenThere = isChosenThere || isChosen;
     }
@@ -271,28 +231,12 @@ void ChecksDock::refresh()
         carryOutWish();
 }
 
-/// The numbers in the view. A problem without a place of its own stands where its sections are; a
-/// row for many has many places, and so no number there.
+/// In the view; without the dock there are no rows that they could be of.
 void ChecksDock::markProblems()
 {
-    std::vector<ProblemMark> marks;
-    for (const Row &row : m_rows) {
-        if (row.number == 0 || row.count > 1 || !toggleViewAction()->isChecked())
-            continue;
-        const Finding &finding = row.finding;
-        const Model &model = m_list.model();
-        Box3 box;
-        for (const SectionRef &ref : finding.sections) {
-            if (const int index = model.indexOf(ref); index >= 0) {
-                const Section &section = *model.section(static_cast<std::size_t>(index));
-                box.extend(slabBounds(section, model.document.stockOf(section)));
-            }
-        }
-        if (finding.at || !box.isEmpty())
-            marks.push_back({row.number, finding.at ? *finding.at : Vec3(box.center()),
-                             finding.sections, finding.severity == Severity::Error});
-    }
-    m_bench.setProblemMarks(std::move(marks));
+    m_bench.setProblemMarks(toggleViewAction()->isChecked()
+                                ? marksOf(m_rows, m_list.model(), m_chosen)
+                                : std::vector<ProblemMark>());
     showLook();
 }
 
@@ -302,27 +246,33 @@ void ChecksDock::showLook()
 {
     ProblemLook look;
     std::vector<SectionRef> faulty;
-    for (const Row &row : m_rows) {
-        const Finding &finding = row.finding;
+    const Model &model = m_list.model();
+    for (const CheckEntry &entry : m_rows) {
         if (!toggleViewAction()->isChecked())
             break;
-        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, finding);
-        ProblemLook own = finding.kind->look ? finding.kind->look(finding) : ProblemLook();
-        if (isProblem(finding) || isChosen)
-            std::move(own.grounds.begin(), own.grounds.end(), std::back_inserter(look.grounds));
-        std::move(own.feet.begin(), own.feet.end(), std::back_inserter(look.feet));
-        if (isChosen)
-            std::move(own.links.begin(), own.links.end(), std::back_inserter(look.links));
-        else if (finding.severity == Severity::Error)
-            faulty.insert(faulty.end(), finding.sections.begin(), finding.sections.end());
+        const int chosen = m_chosen ? entry.placeOf(*m_chosen) : -1;
+        for (int place = 0; place < entry.count(); ++place) {
+            const Finding &finding = entry.row.all[static_cast<std::size_t>(place)];
+            const bool isChosen = place == chosen;
+            ProblemLook own = finding.kind->look ? finding.kind->look(finding) : ProblemLook();
+            if (isProblem(finding) || isChosen)
+                std::move(own.grounds.begin(), own.grounds.end(), std::back_inserter(look.grounds));
+            std::move(own.feet.begin(), own.feet.end(), std::back_inserter(look.feet));
+            const std::vector<SectionRef> outlined = outlinedSections(finding, model);
+            if (isChosen)
+                std::move(own.links.begin(), own.links.end(), std::back_inserter(look.links));
+            else if (finding.severity == Severity::Error)
+                faulty.insert(faulty.end(), outlined.begin(), outlined.end());
+        }
     }
     m_bench.setProblemLook(std::move(look), faulty);
 }
 
 int ChecksDock::rowOf(int number) const
 {
-    const auto row = std::find_if(m_rows.begin(), m_rows.end(),
-                                  [&](const Row &r) { return number > 0 && r.number == number; });
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const CheckEntry &r) {
+        return number > 0 && r.number == number;
+    });
     return row == m_rows.end() ? -1 : static_cast<int>(row - m_rows.begin());
 }
 
@@ -364,19 +314,26 @@ void ChecksDock::refreshColours()
         row->refresh();
 }
 
-std::vector<int> ChecksDock::problems() const
+std::vector<std::pair<int, int>> ChecksDock::problems() const
 {
-    std::vector<int> rows;
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (isProblem(m_rows[i].finding))
-            rows.push_back(static_cast<int>(i));
-    }
-    return rows;
+    std::vector<std::pair<int, int>> all;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        for (int place = 0; m_rows[i].number > 0 && place < m_rows[i].count(); ++place)
+            all.emplace_back(static_cast<int>(i), place);
+    return all;
+}
+
+void ChecksDock::click(int row)
+{
+    CheckEntry &entry = entryAt(row);
+    if (const int chosen = m_chosen ? entry.placeOf(*m_chosen) : -1; chosen >= 0)
+        entry.place = (chosen + 1) % entry.count();
+    choose(row, true);
 }
 
 void ChecksDock::choose(int row, bool frames)
 {
-    const Finding finding = m_rows[static_cast<std::size_t>(row)].finding;
+    const Finding finding = entryAt(row).finding();
     const QScopedValueRollback choosing(m_isChoosing, true);
     m_chosen = finding;
     for (std::size_t i = 0; i < m_widgets.size(); ++i)
@@ -386,8 +343,12 @@ void ChecksDock::choose(int row, bool frames)
         m_bench.selectJoint(*finding.joint);
     else
         m_bench.select(finding.sections);
-    m_bench.setProblemSections(isProblem(finding) ? finding.sections : std::vector<SectionRef>());
-    showLook();
+    m_bench.setProblemSections(isProblem(finding) ? outlinedSections(finding, m_list.model())
+                                                  : std::vector<SectionRef>());
+    if (entryAt(row).count() > 1)
+        refresh(); // it says which of its places this is
+    else
+        markProblems();
     if (frames)
         m_bench.run(finding.sections.empty() ? QStringLiteral("view.fitAll")
                                              : QStringLiteral("view.fitSelection"));
@@ -402,44 +363,42 @@ void ChecksDock::forgetChoice()
     for (CheckRow *row : m_widgets)
         row->setChecked(false);
     m_bench.setProblemSections({});
-    showLook();
+    markProblems();
 }
 
 void ChecksDock::goToProblem(int step)
 {
-    const std::vector<int> rows = problems();
-    if (rows.empty()) {
+    const std::vector<std::pair<int, int>> all = problems();
+    if (all.empty()) {
         Q_EMIT said(m_rows.empty() ? tr("There is no section to check yet.")
                     : m_list.age() == CheckList::Age::Current
                         ? tr("There is no problem.")
                         : tr("Still checking; no problem so far."));
         return;
     }
-    const int count = static_cast<int>(rows.size());
+    const int count = static_cast<int>(all.size());
     int at = step > 0 ? -1 : count;
-    for (int i = 0; i < count; ++i) {
-        if (m_chosen &&
-            isSameVerdict(
-                *m_chosen,
-                m_rows[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])].finding))
+    for (int i = 0; m_chosen && i < count; ++i) {
+        const auto [row, place] = all[static_cast<std::size_t>(i)];
+        if (entryAt(row).placeOf(*m_chosen) == place)
             at = i;
     }
     at = ((at + step) % count + count) % count;
-    const int row = rows[static_cast<std::size_t>(at)];
+    const auto [row, place] = all[static_cast<std::size_t>(at)];
+    entryAt(row).place = place;
     choose(row, true);
-    const Row &chosen = m_rows[static_cast<std::size_t>(row)];
     Q_EMIT said(tr("Problem %1 of %2: %3.")
                     .arg(at + 1)
                     .arg(count)
-                    .arg(checkWords(chosen.finding, m_list.model()).title.toHtmlEscaped()));
+                    .arg(checkWords(entryAt(row).finding(), m_list.model()).title.toHtmlEscaped()));
 }
 
 void ChecksDock::choose(Subject subject)
 {
     Q_EMIT shown();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (m_rows[i].finding.subject() == subject) { // the worst comes first
-            choose(static_cast<int>(i), isProblem(m_rows[i].finding));
+        if (m_rows[i].finding().subject() == subject) { // the worst comes first
+            choose(static_cast<int>(i), isProblem(m_rows[i].finding()));
             return;
         }
     }
@@ -467,9 +426,9 @@ void ChecksDock::showStock(const Finding &finding)
 /// Whether it is an edit.
 bool ChecksDock::act(int row, int index)
 {
-    const Row &of = m_rows[static_cast<std::size_t>(row)];
-    const FindingAction action = of.mends[static_cast<std::size_t>(index)].action;
-    const Finding finding = of.finding; // the rows change with the model
+    const CheckEntry::Offer &offer = entryAt(row).offers[static_cast<std::size_t>(index)];
+    const FindingAction action = offer.mend.action; // the rows change with the model
+    const Finding finding = offer.finding;
     if (isEdit(*action.kind)) {
         carryOut(action, finding);
         return true;
@@ -519,9 +478,9 @@ void ChecksDock::tryOut(int row, int index, bool isOver)
 {
     const Mend *mend = nullptr;
     if (isOver && row < static_cast<int>(m_rows.size())) {
-        const std::vector<Mend> &mends = m_rows[static_cast<std::size_t>(row)].mends;
-        if (index < static_cast<int>(mends.size()))
-            mend = &mends[static_cast<std::size_t>(index)];
+        const std::vector<CheckEntry::Offer> &offers = entryAt(row).offers;
+        if (index < static_cast<int>(offers.size()))
+            mend = &offers[static_cast<std::size_t>(index)].mend;
     }
     // Over a drag, or an older row, it would show something else than it does.
     const bool isOfNow = mend && mend->tried && !m_bench.session().hasPreview() &&

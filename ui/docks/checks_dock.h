@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "core/analysis/mends.h"
+#include "ui/docks/check_entries.h"
 
 #include <vector>
 
@@ -53,18 +53,13 @@ Q_SIGNALS:
     void shown();
 
 private:
-    struct Row
-    {
-        Finding finding;
-        int count = 1;  // of equal ones that this row stands for
-        int number = 0; // of a problem, from 1 on
-        std::vector<Mend> mends;
-    };
-
     void refresh();
     void refreshFooter();
     const Stage *longWork() const;
+    /// The place of it that it looks at.
     void choose(int row, bool frames);
+    /// A click on it: where it has several places and one is chosen, the next one.
+    void click(int row);
     void forgetChoice();
     void markProblems();
     void showLook();
@@ -78,11 +73,13 @@ private:
     void carryOutWish();
     std::optional<Finding> focusedFinding() const;
     void returnFocus(const Finding &finding);
-    std::vector<int> problems() const; // rows
+    /// Of all rows all places: row and place.
+    std::vector<std::pair<int, int>> problems() const;
+    CheckEntry &entryAt(int row) { return m_rows[static_cast<std::size_t>(row)]; }
 
     Workbench &m_bench;
     const CheckList &m_list;
-    std::vector<Row> m_rows;
+    std::vector<CheckEntry> m_rows;
     std::vector<CheckRow *> m_widgets; // as many as rows, or more, hidden
     std::optional<Finding> m_chosen;
     QScrollArea *m_area = nullptr;

@@ -15,6 +15,7 @@
 #include "ui/settings/settings.h"
 
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -54,6 +55,9 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     column->addStretch(1);
     area->setWidget(content);
     setWidget(area);
+    // What is scrolled out of sight is told so by no event.
+    connect(area->verticalScrollBar(), &QScrollBar::valueChanged, m_sectionPage,
+            &SectionPage::tellListed);
 
     connect(m_modelPage, &ModelPage::stockWanted, this, &PropertiesDock::stockWanted);
     connect(m_sectionPage, &SectionPage::stockWanted, this, &PropertiesDock::stockWanted);

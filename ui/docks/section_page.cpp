@@ -103,6 +103,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
                                                   : std::vector<SectionRef>{other});
     });
     m_jointGroup->add(m_joints);
+    m_joints->installEventFilter(this);
 
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -114,6 +115,20 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
           static_cast<QWidget *>(m_figureGroup), static_cast<QWidget *>(m_markGroup),
           static_cast<QWidget *>(contour), static_cast<QWidget *>(m_jointGroup)})
         column->addWidget(group);
+}
+
+void SectionPage::tellListed()
+{
+    m_bench.setListsJoints(m_joints->isVisible() && !m_joints->visibleRegion().isEmpty());
+}
+
+bool SectionPage::eventFilter(QObject *object, QEvent *event)
+{
+    const QEvent::Type type = event->type();
+    if (object == m_joints && (type == QEvent::Show || type == QEvent::Hide ||
+                               type == QEvent::Resize || type == QEvent::Paint))
+        QMetaObject::invokeMethod(this, &SectionPage::tellListed, Qt::QueuedConnection);
+    return QWidget::eventFilter(object, event);
 }
 
 void SectionPage::focusJoint(const SectionRef &other)

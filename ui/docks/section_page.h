@@ -30,12 +30,17 @@ public:
     void refresh();
     /// On the row of the joint with that section.
     void focusJoint(const SectionRef &other);
+    /// Tells the view whether the list of joints is in sight: then they are marked there.
+    void tellListed();
 
 Q_SIGNALS:
     /// The joint of that row in the list.
     void jointWanted(const fff::JointRef &joint);
     /// The stock editor shall show this one.
     void stockWanted(fff::StockId stock);
+
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
     void addStockRows(PropertyGroup *group);

@@ -102,7 +102,7 @@ void paintBearing(MarkPen &pen, const BearingMarks &marks, const QLocale &locale
         paintBearingLegend(pen, marks, locale);
     if (!marks.said.isEmpty())
         pen.chip(underCube(pen.viewport()) - QPointF(0.0, kAboveLegend), MarkPen::Anchor::Right,
-                 marks.said, pen.style().muted);
+                 marks.said, pen.style().muted, MarkPen::Rank::InHand);
 }
 
 void paintAskedBearing(MarkPen &pen, const BearingMarks &marks)
@@ -112,7 +112,8 @@ void paintAskedBearing(MarkPen &pen, const BearingMarks &marks)
     const QPointF place = pen.screen(marks.place);
     pen.ring(place, 5.0, pen.style().accent);
     pen.chip(place + QPointF(kBesidePlace, -kBesidePlace), MarkPen::Anchor::Left,
-             messageText(bearingText(*marks.asked, marks.map->analysis->model)), pen.style().text);
+             messageText(bearingText(*marks.asked, marks.map->analysis->model)), pen.style().text,
+             MarkPen::Rank::InHand);
 }
 
 } // namespace fff::ui

@@ -36,7 +36,8 @@ void paintForce(MarkPen &pen, const QPointF &tip, const QPointF &way, const QCol
     pen.painter().fillPath(head, colour);
 }
 
-/// Of feet whose numbers would lie on each other one, where their forces have their middle.
+/// Of feet that would lie on each other one, where their forces have their middle: what the ground
+/// presses with there.
 std::vector<ForceMark> toldApart(const MarkPen &pen, const std::vector<ForceMark> &forces)
 {
     std::vector<ForceMark> kept;
@@ -44,7 +45,7 @@ std::vector<ForceMark> toldApart(const MarkPen &pen, const std::vector<ForceMark
         const QPointF place = pen.screen(mark.at);
         const auto same = std::find_if(kept.begin(), kept.end(), [&](const ForceMark &other) {
             const QPointF way = pen.screen(other.at) - place;
-            return mark.foot >= 0 && other.foot == mark.foot &&
+            return mark.foot >= 0 && other.foot >= 0 &&
                    std::hypot(way.x(), way.y()) < kApartOnScreen;
         });
         if (same == kept.end()) {
@@ -100,9 +101,6 @@ void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
     double largest = 0.0;
     for (const ForceMark &mark : forces)
         largest = std::max(largest, mark.force.norm());
-    QFont font = pen.painter().font();
-    font.setPixelSize(12);
-    pen.painter().setFont(font);
     for (const ForceMark &mark : forces) {
         const double size = mark.force.norm();
         const QColor colour = mark.isOpen ? pen.style().problem
@@ -119,6 +117,7 @@ void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
                 const QPointF way = length / onScreen * step;
                 paintForce(pen, tip, way, colour);
                 end = tip - way;
+                pen.keepFree(tip, end, 0.5 * kTip);
             }
         }
         if (mark.isOpen)
@@ -130,11 +129,11 @@ void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
         else if (mark.foot >= 0) {
             const QString text =
                 locale.toString(size, 'f', size < 1.0 ? 2 : 1) + QStringLiteral("\u202fN");
-            QPainterPath path;
-            const double width = QFontMetricsF(font).horizontalAdvance(text);
-            path.addText(end + QPointF(-0.5 * width, kBesideFoot + 10.0), font, text);
-            pen.painter().strokePath(path, roundPen(pen.style().panel, 3.0));
-            pen.painter().fillPath(path, colour);
+            pen.chip({.place = end + QPointF(0.0, kBesideFoot + 8.0),
+                      .text = text,
+                      .colour = colour,
+                      .rank = MarkPen::Rank::OfModel,
+                      .isFramed = false});
         }
     }
 }

@@ -15,12 +15,14 @@ struct GizmoMarksTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::GizmoMarks)
 };
 
-constexpr double kWidth = 2.0, kLitWidth = 3.4;       // px
-constexpr double kRingAlpha = 0.7;                    // of rings that nobody holds
-constexpr double kHead = 11.0, kHeadHalf = 5.5;       // px, of an arrow
-constexpr double kBox = 9.0, kLitBox = 12.0;          // px, a side
-constexpr double kLetterOff = 12.0;                   // px beyond an arrow's tip
-constexpr double kChipOff = 18.0;                     // px from the middle, left and up
+constexpr double kWidth = 2.0, kLitWidth = 3.4; // px
+constexpr double kRingAlpha = 0.7;              // of rings that nobody holds
+constexpr double kHead = 11.0, kHeadHalf = 5.5; // px, of an arrow
+constexpr double kBox = 9.0, kLitBox = 12.0;    // px, a side
+constexpr double kLetterOff = 14.0;             // px beyond an arrow's tip
+constexpr double kSideways = 0.4;               // cosine: an arrow to the side has its name there
+constexpr double kRoomBeside = 2.0;             // px that words keep off
+constexpr double kChipOff = 18.0;               // px from the middle, left and up
 constexpr double kGuideWidth = 1.4, kGuideMark = 4.0; // px
 constexpr double kShortest = 2.0 * kHead;             // px, of an arrow that has a shaft
 
@@ -36,6 +38,7 @@ public:
     void guides();
     void ring(GizmoPart part);
     void arrow(GizmoPart part);
+    void name(int axis, const Vec2 &along);
     void box(GizmoPart part);
     void disc();
     void value(LengthUnit unit, const QLocale &locale);
@@ -80,6 +83,9 @@ void GizmoDrawing::ring(GizmoPart part)
     path.addPolygon(line);
     path.closeSubpath();
     m_pen.cased(path, penOf(part, kRingAlpha));
+    constexpr int kPerPiece = 4; // sides of a piece that words keep off
+    for (qsizetype i = 0; i < line.size(); i += kPerPiece)
+        m_pen.keepFree(line[i], line[(i + kPerPiece) % line.size()], kRoomBeside);
 }
 
 void GizmoDrawing::arrow(GizmoPart part)
@@ -103,12 +109,39 @@ void GizmoDrawing::arrow(GizmoPart part)
     m_painter.fillPath(head, m_pen.style().accent);
     if (isLit(part))
         m_painter.strokePath(head, roundPen(m_pen.style().accent, 2.0));
-    if (!m_marks.gizmo.isInSpace)
-        return;
-    m_painter.setPen(m_pen.style().text);
-    const QPointF at = point(tip + kLetterOff * along);
-    m_painter.drawText(QRectF(at - QPointF(10, 10), QSizeF(20, 20)), Qt::AlignCenter,
-                       QString(QLatin1Char("XYZ"[axis])));
+    m_pen.keepFree(point(from), point(tip), kHeadHalf + kRoomBeside);
+    name(axis, along);
+}
+
+/// What the way is called, beyond the arrow's tip.
+void GizmoDrawing::name(int axis, const Vec2 &along)
+{
+    if (m_marks.value)
+        return; // while it is dragged that alone is read
+    // As the fields over the view have them.
+    const QString inSpace[] = {GizmoMarksTexts::tr("X"), GizmoMarksTexts::tr("Y"),
+                               GizmoMarksTexts::tr("Z")};
+    const QString inPlane[] = {
+        //: the way to the right, along an arrow
+        GizmoMarksTexts::tr("Right"),
+        //: the way up, along an arrow
+        GizmoMarksTexts::tr("Up"),
+        //: the way out of the plane, towards whoever looks, along an arrow
+        GizmoMarksTexts::tr("Out"),
+    };
+    // Beyond the box at the arrow's end, where there is one.
+    const GizmoPart boxes[] = {GizmoPart::ScaleX, GizmoPart::ScaleY, GizmoPart::None};
+    const GizmoPart box = boxes[axis];
+    const Vec2 end = m_marks.gizmo.has(box) ? m_look.box(box) : m_look.tip(axis);
+    const MarkPen::Anchor anchor = along.x() > kSideways    ? MarkPen::Anchor::Left
+                                   : along.x() < -kSideways ? MarkPen::Anchor::Right
+                                                            : MarkPen::Anchor::Middle;
+    m_pen.chip({.place = point(end + kLetterOff * along),
+                .anchor = anchor,
+                .text = m_marks.gizmo.isInSpace ? inSpace[axis] : inPlane[axis],
+                .colour = m_pen.style().accent,
+                .rank = MarkPen::Rank::InHand,
+                .isFramed = false});
 }
 
 void GizmoDrawing::box(GizmoPart part)
@@ -121,6 +154,7 @@ void GizmoDrawing::box(GizmoPart part)
     m_painter.setBrush(isLit(part) ? m_pen.style().accent : m_pen.style().panel);
     m_painter.setPen(QPen(m_pen.style().accent, kWidth));
     m_painter.drawRect(square);
+    m_pen.keepFree(square);
 }
 
 void GizmoDrawing::disc()
@@ -131,6 +165,8 @@ void GizmoDrawing::disc()
     m_painter.setBrush(m_pen.style().accent);
     const double radius = lit ? kGizmoDisc : 0.4 * kGizmoDisc;
     m_painter.drawEllipse(point(m_look.centre()), radius, radius);
+    m_pen.keepFree(QRectF(point(m_look.centre()), QSizeF())
+                       .adjusted(-kGizmoDisc, -kGizmoDisc, kGizmoDisc, kGizmoDisc));
 }
 
 void GizmoDrawing::value(LengthUnit unit, const QLocale &locale)
@@ -148,7 +184,7 @@ void GizmoDrawing::value(LengthUnit unit, const QLocale &locale)
     if (m_marks.copies > 0)
         text = GizmoMarksTexts::tr("Copy: %1").arg(text);
     m_pen.chip(point(m_look.centre()) - QPointF(kChipOff, kChipOff), MarkPen::Anchor::Right, text,
-               m_pen.style().accent);
+               m_pen.style().accent, MarkPen::Rank::InHand);
 }
 
 } // namespace

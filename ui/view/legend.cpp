@@ -42,6 +42,7 @@ double paintLegend(MarkPen &pen, const Legend &legend)
     painter.setPen(Qt::NoPen);
     painter.setBrush(faded(style.panel, kGroundAlpha));
     painter.drawRoundedRect(ground, 3.0, 3.0);
+    pen.keepFree(ground);
 
     const double left = ground.left() + kMarginInside;
     const QRectF bar(left, ground.top() + head, kBarWidth, kBarHeight);

@@ -3,8 +3,21 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff::ui {
+
+namespace {
+
+constexpr double kChipHeight = 22.0, kChipPadding = 16.0; // px
+constexpr double kWordsHeight = 16.0;                     // px, of bare ones
+constexpr double kLeader = 1.4;                           // px
+/// What steps aside by no more is still beside what it names, px.
+constexpr double kStepAside = 12.0;
+/// So far off nobody sees what words are about, px.
+constexpr double kFarthest = 180.0;
+
+} // namespace
 
 QPen roundPen(const QColor &colour, double width)
 {
@@ -66,42 +79,98 @@ void MarkPen::ring(const QPointF &centre, double radius, const QColor &colour)
     m_painter.drawEllipse(centre, radius, radius);
 }
 
-QRectF MarkPen::freeFrom(const QRectF &box) const
+void MarkPen::keepFree(const QRectF &box)
 {
-    constexpr int kSteps = 3;      // up and down
-    constexpr double kApart = 2.0; // px
-    const QRectF view(0.0, 0.0, m_viewport.x(), m_viewport.y());
-    for (int step = 0; step <= kSteps; ++step)
-        for (const double way : {-1.0, 1.0}) {
-            const QRectF moved = box.translated(0.0, way * step * (box.height() + kApart));
-            if ((step == 0 || view.contains(moved)) &&
-                std::none_of(m_taken.begin(), m_taken.end(),
-                             [&](const QRectF &other) { return moved.intersects(other); }))
-                return moved;
-        }
-    return box; // better over another one than far from what it says
+    m_room.take({{box.left(), box.top()}, {box.right(), box.bottom()}});
 }
 
-QRectF MarkPen::chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour)
+void MarkPen::keepFree(const QPointF &from, const QPointF &to, double halfWidth)
 {
-    m_painter.save();
+    m_room.takeLine({from.x(), from.y()}, {to.x(), to.y()}, halfWidth);
+}
+
+QFont MarkPen::fontOf(const Chip &chip) const
+{
     QFont font = m_painter.font();
     font.setPixelSize(12);
-    font.setWeight(QFont::DemiBold);
-    m_painter.setFont(font);
-    const double width = QFontMetricsF(font).horizontalAdvance(text) + 16.0, height = 22.0;
-    const double before = anchor == Anchor::Left ? 0.0 : anchor == Anchor::Right ? 1.0 : 0.5;
-    QRectF box(place.x() - before * width, place.y() - 0.5 * height, width, height);
-    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, m_viewport.x() - width - 4.0)));
-    box.moveTop(std::clamp(box.top(), 4.0, std::max(4.0, m_viewport.y() - height - 4.0)));
-    box = freeFrom(box);
-    keepFree(box);
-    m_painter.setPen(QPen(colour, 1.0));
-    m_painter.setBrush(faded(m_style.panel, 0.94));
-    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
-    m_painter.drawText(box, Qt::AlignCenter, text);
+    font.setWeight(chip.isFramed ? QFont::DemiBold : QFont::Normal);
+    return font;
+}
+
+std::vector<QRectF> MarkPen::paintChips()
+{
+    std::stable_sort(m_chips.begin(), m_chips.end(),
+                     [](const Chip &a, const Chip &b) { return a.rank < b.rank; });
+    std::vector<std::pair<const Chip *, QRectF>> placed;
+    for (const Chip &chip : m_chips) {
+        const QFontMetricsF metrics(fontOf(chip));
+        const double most = m_viewport.x() - 2.0 * LabelRoom::kEdge;
+        const double width = std::min(
+            metrics.horizontalAdvance(chip.text) + (chip.isFramed ? kChipPadding : 2.0), most);
+        const Vec2 size(width, chip.isFramed ? kChipHeight : kWordsHeight);
+        const double before = chip.anchor == Anchor::Left    ? -0.5
+                              : chip.anchor == Anchor::Right ? 0.5
+                                                             : 0.0;
+        const Vec2 wanted(chip.place.x() - before * size.x(), chip.place.y());
+        const std::optional<Box2> box = m_room.placeFor(wanted, size);
+        if (!box || (chip.rank != Rank::InHand && (box->center() - wanted).norm() > kFarthest)) {
+            if (chip.told)
+                *chip.told = {};
+            continue;
+        }
+        m_room.take(*box);
+        placed.emplace_back(&chip, QRectF(box->min.x(), box->min.y(), size.x(), size.y()));
+        if (chip.told)
+            *chip.told = placed.back().second;
+    }
+    m_painter.save();
+    std::vector<QRectF> boxes;
+    for (const auto &[chip, box] : placed)
+        paintLeader(*chip, box);
+    for (const auto &[chip, box] : placed) {
+        paintChip(*chip, box);
+        boxes.push_back(box);
+    }
     m_painter.restore();
-    return box;
+    m_chips.clear();
+    return boxes;
+}
+
+/// From the chip's edge to what it names, where that is not beside it.
+void MarkPen::paintLeader(const Chip &chip, const QRectF &box)
+{
+    const QPointF names = chip.names.value_or(chip.place);
+    const QPointF end(std::clamp(names.x(), box.left(), box.right()),
+                      std::clamp(names.y(), box.top(), box.bottom()));
+    const double length = std::hypot(end.x() - names.x(), end.y() - names.y());
+    const double usual =
+        chip.names ? std::hypot(chip.place.x() - names.x(), chip.place.y() - names.y()) : 0.0;
+    if (length < usual + kStepAside)
+        return;
+    QPainterPath leader(names);
+    leader.lineTo(end);
+    m_painter.setBrush(Qt::NoBrush);
+    cased(leader, roundPen(chip.colour, kLeader));
+}
+
+void MarkPen::paintChip(const Chip &chip, const QRectF &box)
+{
+    const QFont font = fontOf(chip);
+    m_painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const QString text = metrics.elidedText(chip.text, Qt::ElideRight, box.width());
+    if (!chip.isFramed) {
+        QPainterPath words;
+        words.addText(box.left() + 1.0, box.center().y() + 0.36 * metrics.ascent(), font, text);
+        m_painter.strokePath(words, roundPen(m_style.panel, 3.0));
+        m_painter.fillPath(words, chip.colour);
+        return;
+    }
+    m_painter.setPen(QPen(chip.frame.isValid() ? chip.frame : chip.colour, 1.0));
+    m_painter.setBrush(faded(m_style.panel, 0.96));
+    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
+    m_painter.setPen(chip.colour);
+    m_painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace fff::ui

@@ -5,11 +5,14 @@
 #include "core/geometry/contour.h"
 #include "core/geometry/frame.h"
 #include "core/interaction/camera.h"
+#include "core/interaction/label_room.h"
 #include "ui/view/view_style.h"
 
 #include <QPainter>
 #include <QPainterPath>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace fff::ui {
@@ -22,7 +25,8 @@ class MarkPen
 {
 public:
     MarkPen(QPainter &painter, const Camera &camera, const Vec2 &viewport, const ViewStyle &style)
-        : m_painter(painter), m_camera(camera), m_viewport(viewport), m_style(style)
+        : m_painter(painter), m_camera(camera), m_viewport(viewport), m_style(style),
+          m_room(viewport)
     {
     }
 
@@ -42,22 +46,48 @@ public:
 
     /// Which point of a chip is given.
     enum class Anchor { Left, Right, Middle };
-    /// Words in a box with a frame in their colour, whole also at the view's edge. `place`: of the
-    /// middle of that side. Where others are already it steps aside, up or down, if that is near.
-    /// Where it is, px.
-    QRectF chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour);
+    /// Who gets the better place.
+    enum class Rank { InHand, OfModel, Besides };
+    struct Chip
+    {
+        QPointF place; // of the middle of that side, px
+        Anchor anchor = Anchor::Middle;
+        QString text;
+        QColor colour;
+        Rank rank = Rank::Besides;
+        std::optional<QPointF> names = {}; // what it is about; none: what is at its place
+        QColor frame = {};                 // invalid: as its words
+        bool isFramed = true;              // else bare words on a casing
+        QRectF *told = nullptr;            // where it came to be, px; empty: nowhere
+    };
+    /// Words in a box with a frame in their colour. They are placed and painted by paintChips(), so
+    /// that none lies on another one, or on what is kept free by then.
+    void chip(Chip chip) { m_chips.push_back(std::move(chip)); }
+    void chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour,
+              Rank rank = Rank::Besides)
+    {
+        chip(Chip{place, anchor, text, colour, rank});
+    }
+    /// One that has to step aside gets a line to what it names; one that finds no place near enough
+    /// is left out. Says where they are, px.
+    std::vector<QRectF> paintChips();
 
     /// No words come there.
-    void keepFree(const QRectF &box) { m_taken.push_back(box); }
-    /// The nearest free one above or below the box; itself where none is near.
-    QRectF freeFrom(const QRectF &box) const;
+    void keepFree(const QRectF &box);
+    /// Nor so near to that line.
+    void keepFree(const QPointF &from, const QPointF &to, double halfWidth);
 
 private:
+    QFont fontOf(const Chip &chip) const;
+    void paintLeader(const Chip &chip, const QRectF &box);
+    void paintChip(const Chip &chip, const QRectF &box);
+
     QPainter &m_painter;
     const Camera &m_camera;
     const Vec2 m_viewport;
     const ViewStyle &m_style;
-    std::vector<QRectF> m_taken; // by words, and what else is not to be covered
+    LabelRoom m_room;
+    std::vector<Chip> m_chips; // not painted yet
 };
 
 } // namespace fff::ui

@@ -171,6 +171,17 @@ Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadI
     return signs;
 }
 
+void dropWordsOfOthers(Signs &signs)
+{
+    Signs kept;
+    for (const Sign &sign : signs) {
+        const auto *label = std::get_if<sign::Label>(&sign);
+        if (!label || (label->role != SignRole::Dimension && label->role != SignRole::Load))
+            kept.add(sign);
+    }
+    signs = std::move(kept);
+}
+
 void paintRulers(MarkPen &pen, const Frame &grid, LengthUnit unit, const QLocale &locale)
 {
     Rulers(pen, grid, unit, locale).paint();

@@ -72,7 +72,8 @@ void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKi
                  //: %1 is the name of a number ("From"), %2 its value
                  QCoreApplication::translate("fff::ui::OperationMarks", "%1 %2")
                      .arg(operationText(spec->label), valueText(*spec, handle.value)),
-                 colour);
+                 colour, MarkPen::Rank::InHand);
+        pen.keepFree(QRectF(at, QSizeF()).adjusted(-radius, -radius, radius, radius));
     }
     painter.restore();
 }

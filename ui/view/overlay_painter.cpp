@@ -10,11 +10,18 @@
 #include <QCoreApplication>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fff::ui {
 
 namespace {
+
+struct OverlayTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::OverlayPainter)
+};
 
 class Drawing
 {
@@ -27,6 +34,8 @@ public:
         if (const std::optional<Vec2> cube = cubeCentre(scene.viewport))
             m_pen.keepFree(QRectF(cube->x() - 0.5 * kCubeRoom, cube->y() - 0.5 * kCubeRoom,
                                   kCubeRoom, kCubeRoom));
+        for (const QRectF &box : scene.covered)
+            m_pen.keepFree(box);
     }
 
     void ground();
@@ -58,6 +67,14 @@ public:
     }
     void marks();
     void mark(const PlacedMark &mark, bool isLit);
+    void dot(const PlacedMark &mark);
+    void hoveredMark();
+    void words()
+    {
+        std::vector<QRectF> boxes = m_pen.paintChips();
+        if (m_scene.words)
+            *m_scene.words = std::move(boxes);
+    }
     void steps()
     {
         if (m_scene.steps)
@@ -73,6 +90,17 @@ private:
     QPointF screen(const Vec3 &world) const { return m_pen.screen(world); }
     void cased(const QPainterPath &path, const QPen &pen) { m_pen.cased(path, pen); }
     bool isGroundALine() const;
+    QString shortened(const QString &text) const;
+    const QColor &colourOf(const PlacedMark &mark) const
+    {
+        return mark.isError ? m_style.problem : m_style.warning;
+    }
+    bool isLit(const PlacedMark &mark) const
+    {
+        return std::any_of(mark.marks.begin(), mark.marks.end(), [this](std::size_t i) {
+            return m_scene.problemMarks[i].number == m_scene.litMark;
+        });
+    }
 
     MarkPen m_pen;
     QPainter &m_painter;
@@ -212,24 +240,48 @@ void Drawing::hoveredName()
     const auto &place = m_scene.hovered.namePlace;
     if (!place || m_scene.hoveredName.isEmpty())
         return;
-    m_painter.save();
+    constexpr double kRight = 16.0, kBelow = 29.0; // px, off the cursor
+    m_pen.chip({.place = QPointF(place->x() + kRight, place->y() + kBelow),
+                .anchor = MarkPen::Anchor::Left,
+                .text = shortened(m_scene.hoveredName),
+                .colour = m_style.text,
+                .rank = MarkPen::Rank::InHand,
+                .frame = m_style.strong});
+}
+
+/// What the mark under the cursor is, of several the first, and how many there are besides.
+void Drawing::hoveredMark()
+{
+    const Hovered &over = m_scene.hovered;
+    for (const PlacedMark &mark : m_scene.marks) {
+        const ProblemMark &first = m_scene.problemMarks[mark.marks.front()];
+        if (over.problem == 0 || first.number != over.problem || first.place != over.problemPlace)
+            continue;
+        const int others = static_cast<int>(mark.marks.size()) - 1;
+        //: a problem: its number in the list, and what it is: "3  Sections overlap"
+        QString text = OverlayTexts::tr("%1  %2").arg(m_locale.toString(first.number),
+                                                      QString::fromStdString(first.words));
+        text = shortened(text);
+        if (others > 0)
+            text = OverlayTexts::tr("%1, and %n more here", nullptr, others).arg(text);
+        const double reach = mark.isDot ? kDotsRadius : kMarkRadius;
+        m_pen.chip({.place = QPointF(mark.centre.x() + reach + 6.0, mark.centre.y()),
+                    .anchor = MarkPen::Anchor::Left,
+                    .text = text,
+                    .colour = m_style.text,
+                    .rank = MarkPen::Rank::InHand,
+                    .frame = first.isError ? m_style.problem : m_style.warning});
+    }
+}
+
+/// A sentence over the model hides it.
+QString Drawing::shortened(const QString &text) const
+{
+    constexpr double kLongest = 260.0; // px
     QFont font = m_painter.font();
     font.setPixelSize(12);
-    m_painter.setFont(font);
-    const QString text = QFontMetricsF(font).elidedText(m_scene.hoveredName, Qt::ElideRight, 260.0);
-    const double width = QFontMetricsF(font).horizontalAdvance(text) + 14.0, height = 22.0;
-    QRectF box(place->x() + 16.0, place->y() + 18.0, width, height);
-    if (box.right() > m_scene.viewport.x() - 4.0)
-        box.moveRight(place->x() - 10.0);
-    if (box.bottom() > m_scene.viewport.y() - 4.0)
-        box.moveBottom(place->y() - 10.0);
-    box = m_pen.freeFrom(box);
-    m_painter.setPen(QPen(m_style.strong, 1.0));
-    m_painter.setBrush(faded(m_style.panel, 0.96));
-    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
-    m_painter.setPen(m_style.text);
-    m_painter.drawText(box, Qt::AlignCenter, text);
-    m_painter.restore();
+    font.setWeight(QFont::DemiBold);
+    return QFontMetricsF(font).elidedText(text, Qt::ElideRight, kLongest);
 }
 
 /// Something about the model is still being worked out.
@@ -257,14 +309,20 @@ void Drawing::progress()
     m_painter.restore();
 }
 
-/// Numbers of problems: lines to their places first, so that none runs over a number.
+/// Marks of problems: dots, then lines of numbers to their places, so that none runs over a number.
 void Drawing::marks()
 {
+    for (const PlacedMark &mark : m_scene.marks)
+        if (mark.isDot)
+            dot(mark);
     for (const PlacedMark &mark : m_scene.marks) {
+        if (mark.isDot)
+            continue;
         const QPointF anchor(mark.anchor.x(), mark.anchor.y());
         QPainterPath line(anchor);
         line.lineTo(mark.centre.x(), mark.centre.y());
-        const QColor &colour = mark.isError ? m_style.problem : m_style.warning;
+        const QColor &colour = colourOf(mark);
+        m_painter.setBrush(Qt::NoBrush);
         cased(line, roundPen(colour, 1.5));
         m_painter.setPen(QPen(m_style.panel, 1.0));
         m_painter.setBrush(colour);
@@ -272,13 +330,40 @@ void Drawing::marks()
     }
     const PlacedMark *lit = nullptr;
     for (const PlacedMark &mark : m_scene.marks) {
-        if (mark.number == m_scene.litMark)
+        const double half = mark.isDot ? kDotsRadius : kMarkRadius;
+        m_pen.keepFree(QRectF(mark.centre.x() - half, mark.centre.y() - half, 2 * half, 2 * half));
+        if (mark.isDot)
+            continue;
+        if (isLit(mark))
             lit = &mark;
         else
             this->mark(mark, false);
     }
     if (lit)
         mark(*lit, true);
+}
+
+/// One that stands for several has a ring round it.
+void Drawing::dot(const PlacedMark &mark)
+{
+    const QPointF centre(mark.centre.x(), mark.centre.y());
+    const QColor &colour = colourOf(mark);
+    const bool isLit = this->isLit(mark), isOfMany = mark.marks.size() > 1;
+    const double radius = kDotRadius + (isLit ? 1.5 : 0.0);
+    m_painter.setPen(QPen(m_style.panel, 1.5));
+    m_painter.setBrush(colour);
+    if (mark.isError) {
+        m_painter.drawEllipse(centre, radius, radius);
+    } else { // told apart without colours
+        const double half = 0.88 * radius;
+        m_painter.drawRect(QRectF(centre.x() - half, centre.y() - half, 2 * half, 2 * half));
+    }
+    if (!isLit && !isOfMany)
+        return;
+    m_painter.setBrush(Qt::NoBrush);
+    QPainterPath ring;
+    ring.addEllipse(centre, radius + 2.5, radius + 2.5);
+    cased(ring, QPen(isLit ? m_style.accent : colour, isLit ? 2.0 : 1.2));
 }
 
 /// An octagon for an error, a square with round corners for a warning: told apart without colours.
@@ -301,7 +386,7 @@ void Drawing::mark(const PlacedMark &mark, bool isLit)
         shape.addRoundedRect(QRectF(centre.x() - half, centre.y() - half, 2 * half, 2 * half), 4.0,
                              4.0);
     }
-    const QColor &colour = mark.isError ? m_style.problem : m_style.warning;
+    const QColor &colour = colourOf(mark);
     if (isLit)
         m_painter.strokePath(shape, roundPen(m_style.accent, 6.0));
     m_painter.strokePath(shape, roundPen(m_style.panel, 3.0));
@@ -341,7 +426,9 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
         scene.bearing ? scene.bearing->asked.has_value() : scene.stress && scene.stress->hasCard;
     if (!hasCard) // which has it
         drawing.hoveredName();
+    drawing.hoveredMark();
     drawing.askedLine();
+    drawing.words();
 }
 
 } // namespace fff::ui

@@ -34,7 +34,7 @@ struct OverlayScene
     QString hoveredName = {};        // of the section under the cursor
     std::optional<double> busy = {}; // the model is being worked on: how often its mark went round
     LengthUnit unit = LengthUnit::Millimetre;
-    std::vector<PlacedMark> marks = {};      // numbers of problems
+    std::vector<PlacedMark> marks = {};      // of problems: numbers and dots
     int litMark = 0;                         // the one that is drawn larger
     ProblemLook problems = {};               // what is drawn of them besides
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
@@ -47,7 +47,10 @@ struct OverlayScene
     const BearingMarks *bearing = nullptr;    // shown in place of those; null: not
     double timesMoved =
         0.0; // the model is shown where it moves, so many times as far; 0: it is not
-    QRectF *offer = nullptr; // is told where the words of an offer are, px
+    std::vector<ProblemMark> problemMarks = {}; // that `marks` stand for
+    std::vector<QRectF> covered = {};           // by what stands over the view, px: no words there
+    QRectF *offer = nullptr;                    // is told where the words of an offer are, px
+    std::vector<QRectF> *words = nullptr;       // is told where all words that were placed are, px
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

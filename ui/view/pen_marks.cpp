@@ -189,7 +189,7 @@ void PathDrawing::numbers(LengthUnit unit, const QLocale &locale)
         //: place of a point: %1 and %2 are numbers, the second has a unit
         PenMarksTexts::tr("X %1   Y %2")
             .arg(number(m_marks.place->x()), lengthText(m_marks.place->y(), unit, 1, 3, locale)),
-        colour);
+        colour, MarkPen::Rank::InHand);
     if (!m_marks.way)
         return;
     const Vec2 way = m_marks.way->cwiseAbs();
@@ -197,7 +197,7 @@ void PathDrawing::numbers(LengthUnit unit, const QLocale &locale)
                //: how far it is to the side (%1) and up or down (%2, with a unit)
                PenMarksTexts::tr("%1 × %2 from the last point")
                    .arg(number(way.x()), lengthText(way.y(), unit, 1, 3, locale)),
-               m_pen.style().muted);
+               m_pen.style().muted, MarkPen::Rank::InHand);
 }
 
 } // namespace

@@ -27,7 +27,6 @@ struct MeasureMarksTexts
 
 constexpr double kTickReach = 6.0;                    // px, half of the tick at a line's end
 constexpr double kArrowHead = 8.0, kArrowWidth = 2.4; // px
-constexpr double kLeader = 1.4;                       // px
 constexpr double kAhead = 20.0;     // px, to see where a direction leads on the screen
 constexpr double kTowardsEye = 0.2; // of its length that a direction must keep on the screen
 
@@ -83,6 +82,13 @@ UnitWords unitWords(LengthUnit unit, const QLocale &locale)
     return words;
 }
 
+/// Of what is always there; all else is of what the hand does.
+MarkPen::Rank rankOf(SignRole role)
+{
+    return role == SignRole::Dimension || role == SignRole::Load ? MarkPen::Rank::OfModel
+                                                                 : MarkPen::Rank::InHand;
+}
+
 /// The length, and how far it goes along each axis where it goes along several.
 QString wayText(const sign::Way &way, LengthUnit unit, const QLocale &locale)
 {
@@ -117,9 +123,8 @@ public:
     {
         if (m_layer != Layer::Lengths)
             return;
-        const QRectF box = paintSign(m_pen, label, m_scene.unit, m_locale);
-        if (label.role == SignRole::Offer && m_scene.offer)
-            *m_scene.offer = box;
+        paintSign(m_pen, label, m_scene.unit, m_locale,
+                  label.role == SignRole::Offer ? m_scene.offer : nullptr);
     }
     void operator()(const sign::Region &region)
     {
@@ -226,7 +231,8 @@ void paintSign(MarkPen &pen, const sign::Handle &handle)
         QRectF(at, QSizeF()).adjusted(-look.radius, -look.radius, look.radius, look.radius));
 }
 
-QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale)
+void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale,
+               QRectF *told)
 {
     QPointF middle;
     for (const Vec3 &place : label.places)
@@ -237,15 +243,12 @@ QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const 
                              : messageText(std::get<Message>(label.words), unitWords(unit, locale));
     const QPointF wanted = middle + QPointF(label.offset.x(), label.offset.y());
     const QColor &colour = pen.style().*lookOf(label.role).colour;
-    const QRectF box = pen.chip(wanted, MarkPen::Anchor::Middle, text, colour);
-    // Words of one place that had to step aside say whose they are.
-    if (label.places.size() == 1 && std::abs(box.center().y() - wanted.y()) > 0.5 * box.height()) {
-        QPainterPath leader(middle);
-        leader.lineTo(std::clamp(middle.x(), box.left(), box.right()),
-                      box.center().y() < middle.y() ? box.bottom() : box.top());
-        pen.cased(leader, roundPen(colour, kLeader));
-    }
-    return box;
+    pen.chip({.place = wanted,
+              .text = text,
+              .colour = colour,
+              .rank = rankOf(label.role),
+              .names = middle,
+              .told = told});
 }
 
 void paintSign(MarkPen &pen, const sign::Region &region)

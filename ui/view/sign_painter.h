@@ -16,8 +16,9 @@ namespace fff::ui {
 void paintSign(MarkPen &pen, const sign::Line &line);
 void paintSign(MarkPen &pen, const sign::Curve &curve);
 void paintSign(MarkPen &pen, const sign::Handle &handle);
-/// Where its words are, px.
-QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale);
+/// told  where its words come to be, px; may be null
+void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale,
+               QRectF *told = nullptr);
 void paintSign(MarkPen &pen, const sign::Region &region);
 void paintSign(MarkPen &pen, const sign::Capsule &capsule);
 void paintSign(MarkPen &pen, const sign::Arrow &arrow);

@@ -194,6 +194,7 @@ void paintStressCard(MarkPen &pen, const Analysis &analysis, const StressLine &l
     painter.setBrush(style.panel);
     painter.setPen(QPen(style.strong, 1.0));
     painter.drawRoundedRect(card, 3.0, 3.0);
+    pen.keepFree(card);
     const QRectF inside = card.adjusted(kCardPad, kCardPad, -kCardPad, -kCardPad);
     double top = inside.top();
     const auto write = [&](const QString &left, const QString &right, const QFont &face,

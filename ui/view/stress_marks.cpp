@@ -38,22 +38,45 @@ Vec3 onFace(const Vec3 &point, const StressLine &line, const Camera &camera)
     return point + side * line.half * line.normal;
 }
 
-/// Whether nothing stands before its middle.
-bool isSeen(const StressLine &line, const StressMarks &marks, const ViewState &view,
+/// Whether no other section stands before a place of one, by more than its half thickness.
+bool isSeen(const Vec3 &place, int section, double half, const Model &model, const ViewState &view,
             const Camera &camera, const Vec2 &viewport)
 {
-    if (view.isHidden(marks.analysis->model.ref(static_cast<std::size_t>(line.section))))
+    if (view.isHidden(model.ref(static_cast<std::size_t>(section))))
         return false;
-    const Vec3 middle = 0.5 * (line.from + line.to);
-    const Ray ray = camera.rayThrough(camera.toScreen(middle, viewport), viewport);
-    const double distance = (middle - ray.origin).dot(ray.direction);
-    for (const Hit &hit : pick(marks.analysis->model, ray, view)) {
-        if (hit.section != line.section && hit.distance < distance - line.half)
+    const Ray ray = camera.rayThrough(camera.toScreen(place, viewport), viewport);
+    const double distance = (place - ray.origin).dot(ray.direction);
+    for (const Hit &hit : pick(model, ray, view)) {
+        if (hit.section != section && hit.distance < distance - half)
             return false;
         if (hit.distance >= distance)
             break;
     }
     return true;
+}
+
+bool isSeen(const StressLine &line, const StressMarks &marks, const ViewState &view,
+            const Camera &camera, const Vec2 &viewport)
+{
+    return isSeen(0.5 * (line.from + line.to), line.section, line.half, marks.analysis->model, view,
+                  camera, viewport);
+}
+
+/// Of feet that are seen, and all that act at joints.
+std::vector<ForceMark> seenForces(const MarkPen &pen, const StressMarks &marks,
+                                  const ViewState &view)
+{
+    std::vector<ForceMark> seen;
+    const Model &model = marks.analysis->model;
+    for (const ForceMark &mark : marks.forces) {
+        const int section = mark.foot < 0 ? -1 : marks.analysis->bodies.sectionOf(mark.foot);
+        const double half =
+            section < 0 ? 0.0 : 0.5 * model.stockOf(static_cast<std::size_t>(section)).thickness;
+        if (section < 0 ||
+            isSeen(mark.at, section, half, model, view, pen.camera(), pen.viewport()))
+            seen.push_back(mark);
+    }
+    return seen;
 }
 
 /// isOnColours  the stress is drawn all over the place: no more than that in a width to be seen
@@ -125,7 +148,7 @@ double chipUnderCube(MarkPen &pen, double below, const QString &text)
 {
     constexpr double kHalfChip = 11.0; // px
     const QPointF at = underCube(pen.viewport()) + QPointF(0.0, below + kHalfChip);
-    pen.chip(at, MarkPen::Anchor::Right, text, pen.style().muted);
+    pen.chip(at, MarkPen::Anchor::Right, text, pen.style().muted, MarkPen::Rank::InHand);
     return at.y() + kHalfChip;
 }
 
@@ -210,7 +233,7 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  StressTexts::tr("%1\u202f%").arg(locale.toString(100.0 * worst.use, 'f', 0)),
                  stressColour(worst.use, pen.style().isForColourBlind));
     }
-    paintForces(pen, marks.forces, marks.isOlder, locale);
+    paintForces(pen, seenForces(pen, marks, view), marks.isOlder, locale);
     paintStressKey(pen, marks, locale);
 }
 

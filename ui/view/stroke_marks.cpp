@@ -16,6 +16,9 @@ struct StrokeMarksTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::OverlayPainter)
 };
 
+/// What words keep off a slit, px to both sides.
+constexpr double kSlitRoom = 5.0;
+
 /// As long as any view, from a point both ways.
 QPainterPath endless(const MarkPen &pen, const Vec3 &point, const Vec3 &direction)
 {
@@ -54,7 +57,7 @@ void paintAxis(MarkPen &pen, const sign::Stroke &stroke, bool isSlit)
     pen.chip(place + QPointF(8.0, 0.0), MarkPen::Anchor::Left,
              isSlit ? StrokeMarksTexts::tr("Mirrored across the slit")
                     : StrokeMarksTexts::tr("Mirrored across the vertical"),
-             pen.style().symmetry);
+             pen.style().symmetry, MarkPen::Rank::InHand);
 }
 
 void paintMirroredHalf(MarkPen &pen, const sign::Stroke &stroke)
@@ -92,7 +95,7 @@ void paintCursor(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, cons
     pen.chip(at + QPointF(26.0, 14.0), MarkPen::Anchor::Left,
              QStringLiteral("%1 × %2").arg(lengthNumber(size.x(), unit, 1, 1, locale),
                                            lengthText(size.y(), unit, 1, 1, locale)),
-             pen.style().muted);
+             pen.style().muted, MarkPen::Rank::InHand);
 }
 
 } // namespace
@@ -120,7 +123,8 @@ void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, con
     const bool isRight = x - left->x() < right->x() - x;
     pen.chip(isRight ? *right + QPointF(24.0, 16.0) : *left + QPointF(-24.0, 16.0),
              isRight ? MarkPen::Anchor::Left : MarkPen::Anchor::Right,
-             StrokeMarksTexts::tr("Cut flat at the ground"), pen.style().muted);
+             StrokeMarksTexts::tr("Cut flat at the ground"), pen.style().muted,
+             MarkPen::Rank::InHand);
 }
 
 void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched)
@@ -192,9 +196,12 @@ void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLoc
             : StrokeMarksTexts::tr("Slit %1, %2").arg(text, messageText(slit.guide));
     const QPointF middle = 0.5 * (from + to), way = to - from;
     if (std::abs(way.x()) > std::abs(way.y()))
-        pen.chip(middle - QPointF(0.0, reach), MarkPen::Anchor::Middle, words, pen.style().slit);
+        pen.chip(middle - QPointF(0.0, reach), MarkPen::Anchor::Middle, words, pen.style().slit,
+                 MarkPen::Rank::InHand);
     else
-        pen.chip(middle - QPointF(reach, 0.0), MarkPen::Anchor::Right, words, pen.style().slit);
+        pen.chip(middle - QPointF(reach, 0.0), MarkPen::Anchor::Right, words, pen.style().slit,
+                 MarkPen::Rank::InHand);
+    pen.keepFree(from, to, kSlitRoom);
 }
 
 void paintEnd(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale)

@@ -21,6 +21,9 @@ class Badges : public QWidget
 {
     Q_OBJECT
 public:
+    /// What stands under them begins there, px.
+    static constexpr int kBelow = 43;
+
     /// Stands over `view` and follows its size.
     Badges(Workbench &bench, const CheckList &list, QWidget *view);
 

@@ -37,6 +37,7 @@
 #include "ui/window/main_tool_bar.h"
 #include "ui/window/operation_notices.h"
 #include "ui/window/spoken_selection.h"
+#include "ui/window/view_chips.h"
 #include "ui/window/window_layout.h"
 #include "ui/window/windows.h"
 
@@ -184,6 +185,7 @@ void MainWindow::makeDocks()
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_physics = new PhysicsDock(*m_bench, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
+    m_viewChips = new ViewChips(*m_bench, m_view, Badges::kBelow);
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
         auto *menu = new ContextMenu(*m_bench, *m_actions, m_view);
@@ -415,6 +417,7 @@ void MainWindow::refreshTheme()
     m_checks->refreshColours();
     m_physics->refreshColours();
     m_badges->refreshColours();
+    m_viewChips->refreshColours();
     m_bar->update();
     m_steps->refresh();
     if (m_stocks)

@@ -15,6 +15,7 @@ namespace fff::ui {
 
 class ActionSet;
 class Badges;
+class ViewChips;
 class CanvasBar;
 class ChecksDock;
 class DocumentFiles;
@@ -99,6 +100,7 @@ private:
     PhysicsDock *m_physics = nullptr;
     PropertiesDock *m_properties = nullptr;
     Badges *m_badges = nullptr;
+    ViewChips *m_viewChips = nullptr;
     CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand
     StepsView *m_steps = nullptr; // of the assembly
     StepsExport *m_stepsExport = nullptr;

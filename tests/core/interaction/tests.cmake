@@ -7,6 +7,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_hasty_stroke
     core/interaction/tst_interaction
     core/interaction/tst_joint_gesture
+    core/interaction/tst_label_room
     core/interaction/tst_long_strokes_shown
     core/interaction/tst_mark_tool
     core/interaction/tst_measure_tool

@@ -76,10 +76,18 @@ private Q_SLOTS:
 void TestJointGesture::hoverSaysWhatADragWouldDo()
 {
     JointDesk desk;
+    QVERIFY(!desk.marks()); // a model is full of joints
+    desk.interaction.setListsJoints(true);
     QVERIFY(desk.marks());
     QCOMPARE(desk.marks()->marks.size(), std::size_t(1));
     QCOMPARE(desk.marks()->hovered, -1);
     QVERIFY(desk.marks()->lit.empty());
+    desk.interaction.setListsJoints(false);
+    QVERIFY(!desk.marks());
+    desk.send(Type::Move, desk.screen({30, 10, 0})); // on Body, which is selected
+    QVERIFY(desk.marks());
+    desk.send(Type::Move, Vec2(5, 5));
+    QVERIFY(!desk.marks());
     desk.send(Type::Move, desk.at(30) + Vec2(6, 0));
     QCOMPARE(desk.hint(), hints::kMoveMeetingPoint);
     QCOMPARE(nameIn(desk.interaction.hint(), 2), std::string("Body"));
@@ -90,6 +98,7 @@ void TestJointGesture::hoverSaysWhatADragWouldDo()
     QCOMPARE(desk.marks()->lit.front().slits.size(), std::size_t(2));
     QCOMPARE(desk.interaction.hovered().section, -1);
     QVERIFY(desk.marks()->lit.front().opens.y() < -0.99); // Head's slit opens down
+    desk.interaction.setListsJoints(true);
     desk.send(Type::Move, desk.at(30) + Vec2(14, 0));
     QVERIFY(desk.hint() != hints::kMoveMeetingPoint);
     QCOMPARE(desk.marks()->hovered, -1);

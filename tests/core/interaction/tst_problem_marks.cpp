@@ -17,7 +17,7 @@ const Vec2 kViewport(1000, 700);
 
 ProblemMark mark(int number, const Vec3 &at, std::vector<SectionRef> sections = {})
 {
-    return {number, at, std::move(sections), true};
+    return {number, at, std::move(sections)};
 }
 
 /// Remembers which problem was chosen; its model is one plate.
@@ -33,9 +33,13 @@ public:
     void preview(Document) override { ++previews; }
     void cancelPreview() override {}
     void commit(const Step &, Document) override { ++commits; }
-    void chooseProblem(int number) override { chosen.push_back(number); }
+    void chooseProblem(int number, int place) override
+    {
+        chosen.push_back(number);
+        places.push_back(place);
+    }
 
-    std::vector<int> chosen;
+    std::vector<int> chosen, places;
     int previews = 0, commits = 0;
 
 private:
@@ -60,18 +64,68 @@ class TestProblemMarks : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// Two numbers on one spot: neither can be read.
-    void manyAtOnePlaceStandApart()
+    /// Twenty numbers on one spot: none can be read.
+    void whatIsNearIsOneMark()
     {
         std::vector<ProblemMark> marks;
         for (int i = 1; i <= 20; ++i)
             marks.push_back(mark(i, {0.3 * i, 0, 0}));
         const std::vector<PlacedMark> placed = placeMarks(marks, Camera(), kViewport, {});
-        QCOMPARE(placed.size(), marks.size());
-        for (std::size_t i = 0; i < placed.size(); ++i) {
+        std::size_t stoodFor = 0;
+        for (const PlacedMark &one : placed)
+            stoodFor += one.marks.size();
+        QCOMPARE(stoodFor, marks.size()); // none is lost
+        QVERIFY(placed.size() <= 2);      // they lie on 6 mm
+        for (std::size_t i = 0; i < placed.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)
-                QVERIFY((placed[i].centre - placed[k].centre).norm() >= 2.0 * kMarkRadius);
+                QVERIFY((placed[i].centre - placed[k].centre).norm() >= 2.0 * kDotsRadius);
+    }
+
+    /// A view full of numbers says less than one with a few.
+    void aFewHaveNumbersTheRestAreDots()
+    {
+        std::vector<ProblemMark> marks;
+        for (int i = 0; i < 12; ++i)
+            marks.push_back(mark(i + 1, {-110.0 + 20.0 * i, 0, 0}));
+        for (int i = 0; i < 4; ++i) { // warnings, of one row
+            ProblemMark warning = mark(13, {-60.0 + 40.0 * i, 40, 0});
+            warning.isError = false;
+            warning.place = i;
+            marks.push_back(warning);
         }
+        const auto numbers = [&] {
+            std::vector<int> of;
+            for (const PlacedMark &one : placeMarks(marks, Camera(), kViewport, {}))
+                if (!one.isDot)
+                    of.push_back(one.number);
+            return of;
+        };
+        QCOMPARE(placeMarks(marks, Camera(), kViewport, {}).size(), marks.size());
+        QCOMPARE(numbers(), (std::vector{1, 2, 3, 4, 5})); // the worst, which come first
+        marks[14].isChosen = true;
+        QCOMPARE(numbers(), (std::vector{13, 1, 2, 3, 4})); // a warning, since it is looked at
+        // A row has its number once.
+        for (ProblemMark &one : marks)
+            one.number = 7;
+        QCOMPARE(numbers(), std::vector{7});
+    }
+
+    /// One that lies under others could never be chosen.
+    void clicksStepThroughWhatIsOne()
+    {
+        std::vector<ProblemMark> marks;
+        for (int i = 0; i < 3; ++i)
+            marks.push_back(mark(i + 1, {0.5 * i, 0, 0}));
+        std::vector<int> chosen;
+        for (int click = 0; click < 4; ++click) {
+            const std::vector<PlacedMark> placed = placeMarks(marks, Camera(), kViewport, {});
+            QCOMPARE(placed.size(), std::size_t(1));
+            const std::size_t next = chosenBy(placed.front(), marks);
+            for (std::size_t i = 0; i < marks.size(); ++i)
+                marks[i].isChosen = i == next;
+            chosen.push_back(marks[next].number);
+        }
+        QCOMPARE(chosen, (std::vector{1, 2, 3, 1}));
     }
 
     void marksStayInTheView_data()
@@ -143,6 +197,36 @@ private Q_SLOTS:
         send(interaction, PointerEvent::Type::Move, at + Vec2(0, 60));
         QCOMPARE(interaction.hovered().problem, 0);
         QVERIFY(interaction.hovered().section >= 0);
+    }
+
+    /// Dots all over a section would let nobody draw on it.
+    void aDragFromADotDraws()
+    {
+        Host host;
+        Interaction interaction(host);
+        interaction.setViewport(kViewport);
+        ProblemMark warning = mark(1, {0, 40, 0});
+        warning.isError = false;
+        warning.place = 3;
+        interaction.setMarks({warning});
+        const std::vector<PlacedMark> placed =
+            placeMarks(interaction.marks(), interaction.camera(), kViewport, {});
+        QVERIFY(placed[0].isDot);
+        const Vec2 at = placed[0].centre;
+        send(interaction, PointerEvent::Type::Move, at);
+        QCOMPARE(interaction.hovered().problem, 1);
+        QCOMPARE(interaction.hovered().problemPlace, 3);
+        send(interaction, PointerEvent::Type::Press, at, Button::Left);
+        send(interaction, PointerEvent::Type::Release, at, Button::Left);
+        QCOMPARE(host.chosen, std::vector{1});
+        QCOMPARE(host.places, std::vector{3});
+        QVERIFY(!interaction.isHandBusy());
+        send(interaction, PointerEvent::Type::Press, at, Button::Left);
+        send(interaction, PointerEvent::Type::Move, at + Vec2(30, 0));
+        QVERIFY(interaction.overlay().find<sign::Slit>());
+        QVERIFY(interaction.isHandBusy()); // so that it is not seen meanwhile
+        interaction.escape(1000.0);
+        QVERIFY(!interaction.isHandBusy());
     }
 
     /// A stroke that begins on a number would draw on what lies behind it.

@@ -44,6 +44,7 @@ QImage painted(const std::vector<const Signs *> &all)
     painter.setRenderHint(QPainter::Antialiasing);
     MarkPen pen(painter, camera, size, kStyle);
     paintSigns(pen, all, {}, QLocale::c());
+    pen.paintChips();
     return image;
 }
 
