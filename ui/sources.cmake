@@ -123,6 +123,7 @@ target_sources(fff_ui PRIVATE
     properties/stock_box.cpp
     properties/stock_choice.cpp
     properties/thickness_field.cpp
+    properties/triple_row.cpp
     properties/varying_rows.cpp
     settings/check_rules.cpp
     settings/settings.cpp

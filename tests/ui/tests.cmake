@@ -28,6 +28,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/dialogs/tst_sheet_paths
     ui/docks/tst_movement_rows
     ui/docks/tst_operations_docks
+    ui/docks/tst_property_pages
     ui/docks/tst_stage_failures
     ui/docks/tst_trying_out
     ui/docks/tst_weight_docks

@@ -103,7 +103,7 @@ private Q_SLOTS:
         m_window->bench().select({session.model().ref(0)});
 
         if (what == QStringLiteral("window")) {
-            check(m_window.get(), 20);
+            check(m_window.get(), 15);
         } else if (what == QStringLiteral("stocks")) {
             m_window->findChild<QAction *>(QStringLiteral("fabricate.stocks"))->trigger();
             auto *dialog = m_window->findChild<QDialog *>(QStringLiteral("stockEditor"));

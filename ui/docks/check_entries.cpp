@@ -1,5 +1,6 @@
 #include "ui/docks/check_entries.h"
 
+#include "core/analysis/findings/total_mass.h"
 #include "core/fabrication/summary.h"
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
@@ -84,7 +85,8 @@ std::vector<CheckEntry> checkEntries(const CheckList &list, const std::vector<Ch
 {
     std::vector<CheckEntry> entries;
     for (FindingRow &row : inRows(list.all()))
-        entries.push_back({std::move(row)});
+        if (!row.finding.is(kMass)) // good or bad it is neither: the status bar has it
+            entries.push_back({std::move(row)});
     std::stable_sort(entries.begin(), entries.end(), [](const CheckEntry &a, const CheckEntry &b) {
         return a.row.finding.severity > b.row.finding.severity;
     });

@@ -54,13 +54,6 @@ ModelPage::ModelPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
         new TextRow(
             tr("Mass"), "modelMass",
             [this] { return massText(Measures(m_bench.session()).mass(), locale()); }, model));
-    add(model, new TextRow(
-                   tr("Sections"), "modelSections",
-                   [this] {
-                       return locale().toString(
-                           static_cast<qulonglong>(m_bench.session().model().sectionCount()));
-                   },
-                   model));
     auto *stock = new ChoiceRow(
         tr("New sections"), "newStock",
         [this] {
@@ -83,6 +76,9 @@ ModelPage::ModelPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     column->addWidget(m_dimensions);
     column->addWidget(drawing);
     column->addWidget(m_numbers);
+    // What is set once is out of the way until it is asked for.
+    drawing->fold();
+    m_numbers->fold();
 }
 
 void ModelPage::refresh()

@@ -87,10 +87,9 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_placeGroup = new PlaceGroup(m_bench, this);
     m_figureGroup = new FigureGroup(m_bench, this);
     m_markGroup = new MarkGroup(m_bench, this);
-    auto *contour = new PropertyGroup(tr("Contour"), this);
     m_jointGroup = new PropertyGroup(tr("Joints"), this);
     addStockRows(stock);
-    addContourRows(contour);
+    addContourRows(m_figureGroup);
     m_joints = new JointRows(m_jointGroup);
     m_joints->setObjectName(QStringLiteral("jointList"));
     connect(m_joints, &JointRows::chosen, this, [this](const SectionRef &other) {
@@ -113,7 +112,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     for (QWidget *group :
          {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_placeGroup),
           static_cast<QWidget *>(m_figureGroup), static_cast<QWidget *>(m_markGroup),
-          static_cast<QWidget *>(contour), static_cast<QWidget *>(m_jointGroup)})
+          static_cast<QWidget *>(m_jointGroup)})
         column->addWidget(group);
 }
 

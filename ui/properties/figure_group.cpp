@@ -9,6 +9,7 @@
 #include "ui/properties/number_edit.h"
 
 #include <QCoreApplication>
+#include <QLayout>
 
 #include <cmath>
 
@@ -21,7 +22,7 @@ struct FigureGroupTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::FigureGroup)
 };
 
-constexpr LengthEdit::Range kPlace{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 3};
+constexpr LengthEdit::Range kPlace{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 2};
 constexpr NumberEdit::Range kTurn{-360.0, 360.0, 1.0, 0, 2};
 
 QString figureText(const char *text)
@@ -32,9 +33,12 @@ QString figureText(const char *text)
 } // namespace
 
 FigureGroup::FigureGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(FigureGroupTexts::tr("Shape"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(FigureGroupTexts::tr("Shape"), parent), m_bench(bench),
+      m_numbers(new PropertyGroup({}, this)), m_rows(*m_numbers)
 {
     addKind();
+    m_numbers->layout()->setContentsMargins(0, 0, 0, 0);
+    add(m_numbers);
 }
 
 const Section *FigureGroup::section() const
@@ -107,7 +111,7 @@ void FigureGroup::addNumber(int boundary, const FigureKind &kind, std::size_t in
     };
     if (number.unit == FigureNumber::Unit::Length) {
         auto *row = new LengthRow(figureText(number.label), name.toLatin1().constData(),
-                                  {number.least, number.most, 0.5, 1, 3}, read, write, this);
+                                  {number.least, number.most, 0.5, 1, 2}, read, write, this);
         row->setThickness([this]() -> std::optional<double> {
             const Section *of = section();
             return of ? std::optional(m_bench.session().model().document.stockOf(*of).thickness)
@@ -194,7 +198,8 @@ void FigureGroup::rebuild(const Section &section)
 void FigureGroup::refresh()
 {
     const Section *of = section();
-    setVisible(of != nullptr);
+    m_kind->setVisible(of != nullptr);
+    m_numbers->setVisible(of && !of->figures.empty());
     if (!of)
         return;
     rebuild(*of);

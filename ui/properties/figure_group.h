@@ -19,7 +19,7 @@ class FigureGroup : public PropertyGroup
 public:
     explicit FigureGroup(Workbench &bench, QWidget *parent = nullptr);
 
-    /// Hidden unless one section is selected that can be edited.
+    /// Its own rows are hidden unless one section is selected that can be edited.
     void refresh();
 
 private:
@@ -37,6 +37,7 @@ private:
 
     Workbench &m_bench;
     PropertyRow *m_kind = nullptr;
+    PropertyGroup *m_numbers = nullptr; // between the kind and what others add
     VaryingRows m_rows;
 };
 

@@ -31,7 +31,7 @@ void refuse(QWidget *field, const QString &reason)
 } // namespace
 
 NamedNumberGroup::NamedNumberGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(NamedNumberGroupTexts::tr("Numbers"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(NamedNumberGroupTexts::tr("Named values"), parent), m_bench(bench), m_rows(*this)
 {
 }
 

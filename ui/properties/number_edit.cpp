@@ -15,6 +15,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kWidth = 120;        // px; figures are not of one width in Qt 6.4's fonts
+constexpr int kCompactWidth = 48;  // px
 constexpr int kSettleTime = 350;   // ms after the last step of an arrow
 constexpr int kRefusalTime = 6000; // ms that a reason is said
 constexpr int kStoredDecimals = 9; // the value is exact, only what is shown is rounded
@@ -49,10 +50,19 @@ void NumberEdit::setUnit(const QString &sign, double step)
     m_isSetting = true;
     setSingleStep(step);
     m_suffix = sign.isEmpty() ? QString() : QChar(kThinSpace) + sign;
-    setSuffix(m_suffix); // writes the number anew
+    setSuffix(m_isCompact ? QString() : m_suffix); // writes the number anew
     if (isMixed)
         showNothing();
     m_isSetting = false;
+}
+
+void NumberEdit::setCompact()
+{
+    m_isCompact = true;
+    setButtonSymbols(NoButtons);
+    setMinimumWidth(kCompactWidth);
+    setSizePolicy(QSizePolicy::Ignored, sizePolicy().verticalPolicy());
+    setSuffix({});
 }
 
 /// Without its unit, beside which the word "mixed" would not be seen.
@@ -69,7 +79,7 @@ void NumberEdit::setNumber(std::optional<double> number)
     m_isSetting = true;
     m_shown.reset();
     if (number) {
-        setSuffix(m_suffix);
+        setSuffix(m_isCompact ? QString() : m_suffix);
         setValue(*number);
         m_shown = value(); // within the range: what is there without an edit
     } else {

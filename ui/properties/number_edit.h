@@ -27,6 +27,9 @@ public:
     /// unit  its sign, behind the number; may be empty
     NumberEdit(const Range &range, const QString &unit, QWidget *parent = nullptr);
 
+    /// For several beside each other: narrow, without arrows and unit.
+    void setCompact();
+
     /// Shows a value without announcing it; nothing: the selected things differ. Leaves the field
     /// alone while a person is typing in it.
     void setNumber(std::optional<double> number);
@@ -65,6 +68,7 @@ private:
 
     Range m_range;
     QString m_suffix;              // the unit behind every number
+    bool m_isCompact = false;      // it is not shown
     std::optional<double> m_shown; // what the field held when last set from outside, or announced
     QTimer m_settled;
     bool m_isSetting = false;

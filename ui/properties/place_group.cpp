@@ -8,12 +8,14 @@
 #include "core/model/symmetric_section.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/number_edit.h"
+#include "ui/properties/triple_row.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QToolButton>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fff::ui {
@@ -25,9 +27,9 @@ struct PlaceGroupTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::PlaceGroup)
 };
 
-constexpr LengthEdit::Range kPositionRange{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 3};
+constexpr LengthEdit::Range kPositionRange{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 2};
 constexpr NumberEdit::Range kAngleRange{10.0, 170.0, 0.5, 0, 2};
-constexpr NumberEdit::Range kNormalRange{-1.0, 1.0, 0.05, 0, 4};
+constexpr NumberEdit::Range kNormalRange{-1.0, 1.0, 0.05, 0, 3};
 /// What is shown of numbers is no finer: values that differ by less are one.
 constexpr double kSameNumber = 1e-7;
 
@@ -38,12 +40,8 @@ PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
 {
     addParent();
     addAngle();
-    addPosition(0, PlaceGroupTexts::tr("Position X"), "positionX");
-    addPosition(1, PlaceGroupTexts::tr("Position Y"), "positionY");
-    addPosition(2, PlaceGroupTexts::tr("Position Z"), "positionZ");
-    addNormal(0, PlaceGroupTexts::tr("Normal X"), "normalX");
-    addNormal(1, PlaceGroupTexts::tr("Normal Y"), "normalY");
-    addNormal(2, PlaceGroupTexts::tr("Normal Z"), "normalZ");
+    addPosition();
+    addNormal();
     addSwitch(
         PlaceGroupTexts::tr("Free"), "sectionFree",
         PlaceGroupTexts::tr("It neither goes along with the section that it is on, nor keeps its "
@@ -147,49 +145,65 @@ void PlaceGroup::addAngle()
 }
 
 /// Of the middle of its shape.
-void PlaceGroup::addPosition(int axis, const QString &name, const char *objectName)
+void PlaceGroup::addPosition()
 {
-    auto *row = new LengthRow(
-        name, objectName, kPositionRange,
-        [this, axis] {
+    const std::array names{"positionX", "positionY", "positionZ"};
+    std::array<NumberEdit *, 3> edits{};
+    for (int axis : {0, 1, 2}) {
+        auto *edit = new LengthEdit(kPositionRange, this);
+        edit->setObjectName(QLatin1String(names[static_cast<std::size_t>(axis)]));
+        edit->setThickness([this] {
+            const Document &document = m_bench.session().model().document;
+            return common([&document](const Section &section) {
+                return std::optional(document.stockOf(section).thickness);
+            });
+        });
+        connect(edit, &LengthEdit::lengthEdited, this, [this, axis](double value) {
+            m_bench.editSections(withPosition(m_bench.session().committed(),
+                                              m_bench.interaction().selection(), axis, value,
+                                              m_bench.interaction().settings().takesChildren));
+            refresh(); // a refused value goes back to what it was
+        });
+        edits[static_cast<std::size_t>(axis)] = edit;
+    }
+    add(new TripleRow(
+        PlaceGroupTexts::tr("Position"), edits,
+        {PlaceGroupTexts::tr("X of its middle"), PlaceGroupTexts::tr("Y of its middle"),
+         PlaceGroupTexts::tr("Z of its middle")},
+        [this](int axis) {
             return common([axis](const Section &section) {
                 return std::optional(positionOf(section)[axis]);
             });
         },
-        [this, axis](double value) {
-            m_bench.editSections(withPosition(m_bench.session().committed(),
-                                              m_bench.interaction().selection(), axis, value,
-                                              m_bench.interaction().settings().takesChildren));
-        },
-        this);
-    row->setToolTip(PlaceGroupTexts::tr("Of its middle"));
-    row->setThickness([this] {
-        const Document &document = m_bench.session().model().document;
-        return common([&document](const Section &section) {
-            return std::optional(document.stockOf(section).thickness);
-        });
-    });
-    add(row);
+        this));
 }
 
-void PlaceGroup::addNormal(int axis, const QString &name, const char *objectName)
+/// Which way it faces: across its plane, of length 1.
+void PlaceGroup::addNormal()
 {
-    auto *edit = new NumberEdit(kNormalRange, QString(), this);
-    connect(edit, &NumberEdit::numberEdited, this, [this, axis](double value) {
-        m_bench.editSections(withNormal(m_bench.session().committed(),
-                                        m_bench.interaction().selection(), axis, value,
-                                        m_bench.interaction().settings().takesChildren));
-    });
-    auto *row = new EditorRow(
-        name, objectName, edit,
-        [this, edit, axis] {
-            edit->setNumber(common([axis](const Section &section) {
+    const std::array names{"normalX", "normalY", "normalZ"};
+    std::array<NumberEdit *, 3> edits{};
+    for (int axis : {0, 1, 2}) {
+        auto *edit = new NumberEdit(kNormalRange, QString(), this);
+        edit->setObjectName(QLatin1String(names[static_cast<std::size_t>(axis)]));
+        connect(edit, &NumberEdit::numberEdited, this, [this, axis](double value) {
+            m_bench.editSections(withNormal(m_bench.session().committed(),
+                                            m_bench.interaction().selection(), axis, value,
+                                            m_bench.interaction().settings().takesChildren));
+        });
+        edits[static_cast<std::size_t>(axis)] = edit;
+    }
+    add(new TripleRow(
+        PlaceGroupTexts::tr("Faces"), edits,
+        {PlaceGroupTexts::tr("X of the direction it faces, of length 1"),
+         PlaceGroupTexts::tr("Y of the direction it faces, of length 1"),
+         PlaceGroupTexts::tr("Z of the direction it faces, of length 1")},
+        [this](int axis) {
+            return common([axis](const Section &section) {
                 return std::optional(section.frame.normal()[axis] + 0.0); // no minus before a zero
-            }));
+            });
         },
-        this);
-    row->setToolTip(PlaceGroupTexts::tr("Which way it faces: across its plane, of length 1"));
-    add(row);
+        this));
 }
 
 void PlaceGroup::addSwitch(const QString &name, const char *objectName, const QString &tip,

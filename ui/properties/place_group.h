@@ -25,8 +25,8 @@ public:
 private:
     void addParent();
     void addAngle();
-    void addPosition(int axis, const QString &name, const char *objectName);
-    void addNormal(int axis, const QString &name, const char *objectName);
+    void addPosition();
+    void addNormal();
     void addSwitch(const QString &name, const char *objectName, const QString &tip,
                    const char *command, std::function<bool(const Section &)> read);
     void add(PropertyRow *row);

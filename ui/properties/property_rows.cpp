@@ -63,6 +63,11 @@ void PropertyRow::giveWholeRow()
     m_label->hide();
 }
 
+void PropertyRow::narrowLabel(int width)
+{
+    m_label->setMinimumWidth(width);
+}
+
 void PropertyRow::setName(const QString &pattern, const QString &of)
 {
     if (m_pattern == pattern && m_of == of)
@@ -226,12 +231,14 @@ PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addWidget(m_rows);
-    connect(m_title, &QPushButton::clicked, this, [this] {
-        const bool folds = !m_rows->isHidden();
-        m_rows->setVisible(!folds);
-        m_title->setIcon(
-            themedIcon(folds ? QStringLiteral("chevron_right") : QStringLiteral("chevron_down")));
-    });
+    connect(m_title, &QPushButton::clicked, this, [this] { fold(!m_rows->isHidden()); });
+}
+
+void PropertyGroup::fold(bool folds)
+{
+    m_rows->setVisible(!folds);
+    m_title->setIcon(
+        themedIcon(folds ? QStringLiteral("chevron_right") : QStringLiteral("chevron_down")));
 }
 
 void PropertyGroup::add(QWidget *row)

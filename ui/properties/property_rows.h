@@ -44,6 +44,8 @@ protected:
     PropertyRow(const QString &name, QWidget *parent);
     /// The editor has the label's place, too.
     void giveWholeRow();
+    /// Where the editor needs more room than others; px.
+    void narrowLabel(int width);
     /// The editor takes the rest of the row; it is called as the row is.
     void setEditor(QWidget *editor, const char *objectName, bool fills);
 
@@ -122,6 +124,7 @@ public:
     /// Without a name it has no heading, and does not fold.
     explicit PropertyGroup(const QString &name, QWidget *parent = nullptr);
     void add(QWidget *row);
+    void fold(bool folds = true);
 
 private:
     QPushButton *m_title = nullptr;
