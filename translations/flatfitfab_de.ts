@@ -1043,17 +1043,14 @@
     </message>
     <message>
         <source>Bears %1 here, then %2 cracks %3.</source>
-        <extracomment>%1 is a mass, %2 a section, %3 a place such as &quot;beside its slit for Body&quot;</extracomment>
         <translation>Trägt hier %1, dann reißt %2 %3.</translation>
     </message>
     <message>
         <source>Bears %1 here, then it falls over.</source>
-        <extracomment>%1 is a mass</extracomment>
         <translation>Trägt hier %1, dann kippt es um.</translation>
     </message>
     <message>
         <source>Bears %1 here, then a joint is pulled open.</source>
-        <extracomment>%1 is a mass</extracomment>
         <translation>Trägt hier %1, dann wird eine Verbindung auseinandergezogen.</translation>
     </message>
     <message>
@@ -1082,6 +1079,61 @@
         <source>then: %1</source>
         <extracomment>after other things that change; %1 is a verdict such as &quot;Holds 350 g&quot;</extracomment>
         <translation>dann: %1</translation>
+    </message>
+    <message>
+        <source>Bears %1 more here, then %2 cracks %3.</source>
+        <extracomment>%1 is a mass, %2 a section, %3 a place such as &quot;beside its slit for Body&quot;</extracomment>
+        <translation>Trägt hier noch %1, dann reißt %2 %3.</translation>
+    </message>
+    <message>
+        <source>Bears %1 more here, then it falls over.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier noch %1, dann kippt es um.</translation>
+    </message>
+    <message>
+        <source>Bears %1 more here, then a joint is pulled open.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier noch %1, dann wird eine Verbindung auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>Not connected yet</source>
+        <translation>Noch nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Between their bumps slits are %1 narrower than what goes into them. That is too tight for any material: make the bumps smaller.</source>
+        <translation>Zwischen ihren Noppen sind Schlitze um %1 schmaler als das, was hineinkommt. Das ist für jedes Material zu stramm: die Noppen kleiner machen.</translation>
+    </message>
+    <message>
+        <source>Does not stand yet</source>
+        <translation>Steht noch nicht</translation>
+    </message>
+    <message>
+        <source>Not on the ground yet</source>
+        <translation>Noch nicht am Boden</translation>
+    </message>
+    <message>
+        <source>Falls apart. %1 hangs together by less than can be cut.</source>
+        <translation>Zerfällt. %1 hängt an weniger zusammen, als sich schneiden lässt.</translation>
+    </message>
+    <message>
+        <source>Too little material. %1 is only %2 wide at one place.</source>
+        <translation>Zu wenig Material. %1 ist an einer Stelle nur %2 breit.</translation>
+    </message>
+    <message>
+        <source>Falls apart</source>
+        <translation>Zerfällt</translation>
+    </message>
+    <message>
+        <source>Make it wider there, or move what it touches apart.</source>
+        <translation>Dort breiter machen, oder auseinanderrücken, was sich berührt.</translation>
+    </message>
+    <message>
+        <source>Too little material</source>
+        <translation>Zu wenig Material</translation>
+    </message>
+    <message>
+        <source>Make it wider there.</source>
+        <translation>Dort breiter machen.</translation>
     </message>
 </context>
 <context>
@@ -1487,20 +1539,12 @@
         <translation>Auf eine Scheibe klicken: Ein Spiegelbild der ausgewählten kommt auf ihre andere Seite</translation>
     </message>
     <message>
-        <source>&amp;New sections…</source>
-        <translation>&amp;Neue Scheiben…</translation>
-    </message>
-    <message>
         <source>From SVG</source>
         <translation>Aus SVG</translation>
     </message>
     <message>
         <source>A section for every outline of a drawing</source>
         <translation>Eine Scheibe für jeden Umriss einer Zeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;Contour…</source>
-        <translation>&amp;Kontur…</translation>
     </message>
     <message>
         <source>Contour from SVG</source>
@@ -1511,20 +1555,12 @@
         <translation>Der größte Umriss einer Zeichnung anstelle dessen der gewählten Scheibe</translation>
     </message>
     <message>
-        <source>&amp;Holes…</source>
-        <translation>&amp;Löcher…</translation>
-    </message>
-    <message>
         <source>Holes from SVG</source>
         <translation>Löcher aus SVG</translation>
     </message>
     <message>
         <source>A hole of the selected section for every outline of a drawing</source>
         <translation>Ein Loch der gewählten Scheibe für jeden Umriss einer Zeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;Marks…</source>
-        <translation>&amp;Markierungen…</translation>
     </message>
     <message>
         <source>Marks from SVG</source>
@@ -1665,22 +1701,6 @@
     <message>
         <source>Measure</source>
         <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Measure from one place to another</source>
-        <translation>Von einem Ort zum anderen messen</translation>
-    </message>
-    <message>
-        <source>D&amp;imension</source>
-        <translation>Ma&amp;ß</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Maß</translation>
-    </message>
-    <message>
-        <source>Say how long something shall be; the whole model follows</source>
-        <translation>Sagen, wie lang etwas sein soll; das ganze Modell folgt</translation>
     </message>
     <message>
         <source>Keep t&amp;he dimension</source>
@@ -2691,6 +2711,166 @@
     <message>
         <source>Select the section first of which you want to know what it bears</source>
         <translation>Zuerst die Scheibe auswählen, von der gezeigt werden soll, was sie trägt</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Noch&amp;mals ausgeben</translation>
+    </message>
+    <message>
+        <source>Export again</source>
+        <translation>Nochmals ausgeben</translation>
+    </message>
+    <message>
+        <source>Write the same file again, with the same choices</source>
+        <translation>Dieselbe Datei noch einmal schreiben, mit denselben Angaben</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>&amp;Erste Schritte</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>How a model is made, step by step, with pictures</source>
+        <translation>Wie ein Modell entsteht, Schritt für Schritt, mit Bildern</translation>
+    </message>
+    <message>
+        <source>It was not exported yet</source>
+        <translation>Es wurde noch nicht ausgegeben</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctions from SVG…</source>
+        <translation>S&amp;cheiben aus SVG…</translation>
+    </message>
+    <message>
+        <source>&amp;Contour from SVG…</source>
+        <translation>&amp;Kontur aus SVG…</translation>
+    </message>
+    <message>
+        <source>&amp;Holes from SVG…</source>
+        <translation>&amp;Löcher aus SVG…</translation>
+    </message>
+    <message>
+        <source>&amp;Marks from SVG…</source>
+        <translation>&amp;Markierungen aus SVG…</translation>
+    </message>
+    <message>
+        <source>Measure between two places; keep the length, or scale the model to it</source>
+        <translation>Zwischen zwei Stellen messen; die Länge behalten oder das Modell danach skalieren</translation>
+    </message>
+    <message>
+        <source>Scale to a &amp;length</source>
+        <translation>Auf &amp;Länge skalieren</translation>
+    </message>
+    <message>
+        <source>Scale to a length</source>
+        <translation>Auf Länge skalieren</translation>
+    </message>
+    <message>
+        <source>Set a length and scale the model to match</source>
+        <translation>Eine Länge festlegen und das Modell danach skalieren</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror…</source>
+        <translation>&amp;Spiegeln…</translation>
+    </message>
+    <message>
+        <source>Mirror the selected sections, or one side of the model to the other</source>
+        <translation>Die gewählten Scheiben spiegeln oder eine Seite des Modells auf die andere</translation>
+    </message>
+    <message>
+        <source>Mirror left and right (X)</source>
+        <translation>Links und rechts spiegeln (X)</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Mirror across the plane where X is 0</source>
+        <translation>An der Ebene spiegeln, in der X 0 ist</translation>
+    </message>
+    <message>
+        <source>Mirror up and down (Y)</source>
+        <translation>Oben und unten spiegeln (Y)</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Mirror across the plane where Y is 0</source>
+        <translation>An der Ebene spiegeln, in der Y 0 ist</translation>
+    </message>
+    <message>
+        <source>Mirror front and back (Z)</source>
+        <translation>Vorn und hinten spiegeln (Z)</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Mirror across the plane where Z is 0</source>
+        <translation>An der Ebene spiegeln, in der Z 0 ist</translation>
+    </message>
+    <message>
+        <source>Mirror across a section</source>
+        <translation>An einer Scheibe spiegeln</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Mirror across the plane of the section that is clicked</source>
+        <translation>An der Ebene der Scheibe spiegeln, die angeklickt wird</translation>
+    </message>
+    <message>
+        <source>Mirror a copy of the selection</source>
+        <translation>Gespiegelte Kopie der Auswahl</translation>
+    </message>
+    <message>
+        <source>Add a mirror image of the selected sections</source>
+        <translation>Ein Spiegelbild der gewählten Scheiben hinzufügen</translation>
+    </message>
+    <message>
+        <source>Keep both sides the same</source>
+        <translation>Beide Seiten gleich halten</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Beide Seiten</translation>
+    </message>
+    <message>
+        <source>Mirror all that is drawn on one side, also later on</source>
+        <translation>Alles spiegeln, was auf einer Seite gezeichnet ist, auch künftig</translation>
+    </message>
+    <message>
+        <source>Make symmetric once</source>
+        <translation>Einmal symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>Einmal</translation>
+    </message>
+    <message>
+        <source>Copy what stands on one side to the other; later edits are not copied</source>
+        <translation>Was auf einer Seite steht, auf die andere kopieren; spätere Änderungen nicht</translation>
+    </message>
+    <message>
+        <source>Mirror as shown</source>
+        <translation>Wie gezeigt spiegeln</translation>
+    </message>
+    <message>
+        <source>Do what is shown</source>
+        <translation>Ausführen, was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Choose Mirror first</source>
+        <translation>Zuerst Spiegeln wählen</translation>
     </message>
 </context>
 <context>
@@ -3763,10 +3943,6 @@
         <translation>Ziehen bewegt den Schnitt durch das Modell; Esc schließt ihn.</translation>
     </message>
     <message>
-        <source>Click to select problem %1; drag to turn the view.</source>
-        <translation>Klicken wählt Problem %1; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
         <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, arrow keys move 1&#x202f;mm.</source>
         <translation>Ziehen verschiebt den Punkt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, Pfeiltasten verschieben um 1&#x202f;mm.</translation>
     </message>
@@ -4310,6 +4486,26 @@
         <source>The push stays where it is: there it would be beside %1.</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Der Druck bleibt, wo er ist: dort wäre er neben %1.</translation>
+    </message>
+    <message>
+        <source>Click to select problem %1.</source>
+        <translation>Klicken wählt Problem %1 aus.</translation>
+    </message>
+    <message>
+        <source>The copy of %1 carries it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Die Kopie von %1 trägt es auch; unter &lt;i&gt;Eigenschaften&lt;/i&gt; lässt es sich auf diese Scheibe beschränken.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n copies of %1 carry it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
+        <translation>
+            <numerusform>Die Kopie von %1 trägt es auch; unter &lt;i&gt;Eigenschaften&lt;/i&gt; lässt es sich auf diese Scheibe beschränken.</numerusform>
+            <numerusform>%n Kopien von %1 tragen es auch; unter &lt;i&gt;Eigenschaften&lt;/i&gt; lässt es sich auf diese Scheibe beschränken.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ebene und Ergebnis in der Leiste wählen; &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -5629,6 +5825,10 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 breiter machen, wo sie schwach ist</translation>
     </message>
+    <message>
+        <source>Set up cutting</source>
+        <translation>Schneiden einrichten</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -6220,10 +6420,6 @@
         <translation>&amp;Prüfungen</translation>
     </message>
     <message>
-        <source>F&amp;abricate</source>
-        <translation>Ferti&amp;gen</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
@@ -6236,28 +6432,28 @@
         <translation>&amp;Operation</translation>
     </message>
     <message>
-        <source>&amp;Mirror copy</source>
-        <translation>Kopie &amp;spiegeln</translation>
-    </message>
-    <message>
         <source>Draw on a p&amp;lane</source>
         <translation>Auf einer &amp;Ebene zeichnen</translation>
     </message>
     <message>
-        <source>P&amp;oints</source>
-        <translation>P&amp;unkte</translation>
+        <source>&amp;Look from</source>
+        <translation>&amp;Ansicht von</translation>
     </message>
     <message>
-        <source>From S&amp;VG</source>
-        <translation>Aus SVG</translation>
+        <source>Pa&amp;nels</source>
+        <translation>Fe&amp;nster</translation>
     </message>
     <message>
-        <source>&amp;Text and marks</source>
-        <translation>Text und Mar&amp;kierungen</translation>
+        <source>Dra&amp;w on it</source>
+        <translation>Dara&amp;uf zeichnen</translation>
     </message>
     <message>
-        <source>Shape b&amp;y numbers</source>
-        <translation>F&amp;ormen nach Zahlen</translation>
+        <source>Arran&amp;ge</source>
+        <translation>An&amp;ordnen</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>Au&amp;swählen</translation>
     </message>
 </context>
 <context>
@@ -6350,6 +6546,10 @@
     <message>
         <source>could not be worked out</source>
         <translation>nicht berechenbar</translation>
+    </message>
+    <message>
+        <source>It breaks as it is</source>
+        <translation>Es bricht so, wie es ist</translation>
     </message>
 </context>
 <context>
@@ -6456,13 +6656,6 @@
         <source>Checks begin with the first section.</source>
         <translation>Die Prüfungen beginnen mit der ersten Scheibe.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more like this</source>
-        <translation>
-            <numerusform>%n weiteres dieser Art</numerusform>
-            <numerusform>%n weitere dieser Art</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Older than the drawing</source>
         <translation>Älter als die Zeichnung</translation>
@@ -6498,6 +6691,19 @@
     <message>
         <source>Still checking. It is done as soon as that is known.</source>
         <translation>Es wird noch geprüft. Es geschieht, sobald das bekannt ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 in %n places</source>
+        <extracomment>%1 is what is wrong, such as &quot;Sections overlap&quot;</extracomment>
+        <translation>
+            <numerusform>%1 an %n Stelle</numerusform>
+            <numerusform>%1 an %n Stellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <extracomment>%1 of %2 places, and the sentence about that one</extracomment>
+        <translation>%1 von %2: %3</translation>
     </message>
 </context>
 <context>
@@ -6838,6 +7044,211 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ExportDialog</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Schneiddateien ausgeben</translation>
+    </message>
+    <message>
+        <source>Open the folder afterwards</source>
+        <translation>Danach den Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 as solids</source>
+        <extracomment>%1 are the sections of the model</extracomment>
+        <translation>%1 als Körper</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 of cutting</source>
+        <extracomment>%1 are the parts, %2 the sheets, %3 is how far the machine cuts</extracomment>
+        <translation>%1 auf %2 · %3 Schnitt</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Trotzdem ausgeben</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Ausgeben …</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPreview</name>
+    <message>
+        <source>Sheet %1 of %2</source>
+        <translation>Platte %1 von %2</translation>
+    </message>
+    <message>
+        <source>Parts list</source>
+        <translation>Teileliste</translation>
+    </message>
+    <message>
+        <source>Previous sheet (Page Up)</source>
+        <translation>Vorige Platte (Bild auf)</translation>
+    </message>
+    <message>
+        <source>Next sheet (Page Down)</source>
+        <translation>Nächste Platte (Bild ab)</translation>
+    </message>
+    <message>
+        <source>Show the whole sheet</source>
+        <translation>Die ganze Platte zeigen</translation>
+    </message>
+    <message>
+        <source>Solids have no sheets: the file has the model as it stands, in true size, with its slits.</source>
+        <translation>Körper haben keine Platten: Die Datei enthält das Modell, wie es steht, in wahrer Größe, mit seinen Schlitzen.</translation>
+    </message>
+    <message>
+        <source>Sheet %1 · %2 · %3</source>
+        <extracomment>%1 is the number of a sheet, %2 the name of a stock, %3 the sheet&apos;s size</extracomment>
+        <translation>Platte %1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>There is nothing to cut.</source>
+        <translation>Es gibt nichts zu schneiden.</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Packed: %1</source>
+        <extracomment>%1 is a number with a percent sign</extracomment>
+        <translation>Belegt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportQuestions</name>
+    <message>
+        <source>Which stock?</source>
+        <translation>Welches Material?</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Measured thickness</source>
+        <translation>Gemessene Dicke</translation>
+    </message>
+    <message>
+        <source>Of the sheet that you will cut, by calipers: slits are drawn to fit it.</source>
+        <translation>Der Platte, die geschnitten wird, mit dem Messschieber: Die Schlitze werden dafür gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Which sheet?</source>
+        <translation>Welche Platte?</translation>
+    </message>
+    <message>
+        <source>Width of the sheet</source>
+        <translation>Breite der Platte</translation>
+    </message>
+    <message>
+        <source>Height of the sheet</source>
+        <translation>Höhe der Platte</translation>
+    </message>
+    <message>
+        <source>Which file?</source>
+        <translation>Welche Datei?</translation>
+    </message>
+    <message>
+        <source>%1, %2 thick</source>
+        <extracomment>%1 is the name of a stock, %2 its thickness</extracomment>
+        <translation>%1, %2 dick</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Eigenes Maß</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportRemarks</name>
+    <message>
+        <source>%1, %2 times</source>
+        <extracomment>%1 is a verdict, %2 how often it is so, two at least</extracomment>
+        <translation>%1, %2-mal</translation>
+    </message>
+    <message>
+        <source>Cannot be cut</source>
+        <translation>Nicht zu schneiden</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft…</translation>
+    </message>
+    <message>
+        <source>Nothing to look out for.</source>
+        <translation>Nichts zu beachten.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportRows</name>
+    <message>
+        <source>Fit</source>
+        <translation>Passung</translation>
+    </message>
+    <message>
+        <source>Kerf width (full)</source>
+        <translation>Schnittfuge (ganz)</translation>
+    </message>
+    <message>
+        <source>Slit clearance</source>
+        <translation>Schlitzspiel</translation>
+    </message>
+    <message>
+        <source>Drawn slit width</source>
+        <translation>Schlitz gezeichnet</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Margin at the edge</source>
+        <translation>Rand der Platte</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>As it suits</source>
+        <translation>Wie es passt</translation>
+    </message>
+    <message>
+        <source>By quarter turns</source>
+        <translation>Um Vierteldrehungen</translation>
+    </message>
+    <message>
+        <source>By quarter turns where the sheet has a grain</source>
+        <translation>Um Vierteldrehungen, wo die Platte eine Maserung hat</translation>
+    </message>
+    <message>
+        <source>100 mm, below the sheets</source>
+        <translation>100 mm, unter den Platten</translation>
+    </message>
+    <message>
+        <source>Bar to measure</source>
+        <translation>Balken zum Messen</translation>
+    </message>
+    <message>
+        <source>Drawn beside the sheets, not cut: measure it on your machine to be sure of the size</source>
+        <translation>Neben die Platten gezeichnet, nicht geschnitten: An der Maschine nachmessen, um der Größe sicher zu sein</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Exporting</name>
     <message>
         <source>Export cutting files</source>
@@ -7096,6 +7507,48 @@
     <message>
         <source>Copy: %1</source>
         <translation>Kopie: %1</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <extracomment>the way to the right, along an arrow</extracomment>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <extracomment>the way up, along an arrow</extracomment>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <extracomment>the way out of the plane, towards whoever looks, along an arrow</extracomment>
+        <translation>Heraus</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -7888,10 +8341,6 @@
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Sections</source>
-        <translation>Scheiben</translation>
-    </message>
-    <message>
         <source>New sections</source>
         <translation>Neue Scheiben</translation>
     </message>
@@ -7951,10 +8400,6 @@
 <context>
     <name>fff::ui::NamedNumberGroup</name>
     <message>
-        <source>Numbers</source>
-        <translation>Zahlen</translation>
-    </message>
-    <message>
         <source>A name is a word of letters and digits, other than “t” and the units.</source>
         <translation>Ein Name ist ein Wort aus Buchstaben und Ziffern, außer „t“ und den Einheiten.</translation>
     </message>
@@ -7982,6 +8427,10 @@
     <message>
         <source>New</source>
         <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Named values</source>
+        <translation>Benannte Werte</translation>
     </message>
 </context>
 <context>
@@ -8141,6 +8590,10 @@
         <source>Lock it</source>
         <translation>Sperren</translation>
     </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OverlayPainter</name>
@@ -8184,6 +8637,18 @@
         <extracomment>%1 is its length, with a unit; %2 says what it goes along: &quot;level&quot;</extracomment>
         <translation>Schlitz %1, %2</translation>
     </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>a problem: its number in the list, and what it is: &quot;3 Sections overlap&quot;</extracomment>
+        <translation>%1  %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n more here</source>
+        <translation>
+            <numerusform>%1, und noch %n hier</numerusform>
+            <numerusform>%1, und noch %n hier</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ParameterRow</name>
@@ -8202,6 +8667,33 @@
     <message>
         <source>Set by hand</source>
         <translation>Von Hand gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::PartsTable</name>
+    <message>
+        <source>Parts list</source>
+        <translation>Teileliste</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
     </message>
 </context>
 <context>
@@ -8389,36 +8881,16 @@
         <extracomment>the state of what is worked out, and a length</extracomment>
         <translation>%1 Biegt sich um %2.</translation>
     </message>
+    <message>
+        <source>select a section</source>
+        <translation>eine Scheibe auswählen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::PlaceGroup</name>
     <message>
         <source>Place</source>
         <translation>Lage</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Position X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Position Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Position Z</translation>
-    </message>
-    <message>
-        <source>Normal X</source>
-        <translation>Normale X</translation>
-    </message>
-    <message>
-        <source>Normal Y</source>
-        <translation>Normale Y</translation>
-    </message>
-    <message>
-        <source>Normal Z</source>
-        <translation>Normale Z</translation>
     </message>
     <message>
         <source>Free</source>
@@ -8461,20 +8933,44 @@
         <translation>Winkel zu ihr</translation>
     </message>
     <message>
-        <source>Of its middle</source>
-        <translation>Von ihrer Mitte</translation>
-    </message>
-    <message>
-        <source>Which way it faces: across its plane, of length 1</source>
-        <translation>Wohin sie schaut: quer zu ihrer Ebene, der Länge 1</translation>
-    </message>
-    <message>
         <source>Symmetric</source>
         <translation>Symmetrisch</translation>
     </message>
     <message>
         <source>What is done to points of one half is done to the other one</source>
         <translation>Was mit Punkten der einen Hälfte geschieht, geschieht auch mit denen der anderen</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X der Mitte</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y der Mitte</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z der Mitte</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>X of the direction it faces, of length 1</source>
+        <translation>X der Richtung, in die sie zeigt, Länge 1</translation>
+    </message>
+    <message>
+        <source>Y of the direction it faces, of length 1</source>
+        <translation>Y der Richtung, in die sie zeigt, Länge 1</translation>
+    </message>
+    <message>
+        <source>Z of the direction it faces, of length 1</source>
+        <translation>Z der Richtung, in die sie zeigt, Länge 1</translation>
     </message>
 </context>
 <context>
@@ -8668,6 +9164,21 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::RemarkRows</name>
+    <message>
+        <source>What to look out for</source>
+        <translation>Was zu beachten ist</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Closes this and selects it in the model</source>
+        <translation>Schließt dies und wählt es im Modell aus</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::ReplaceQuestion</name>
     <message>
         <source>Replace files</source>
@@ -8796,10 +9307,6 @@
     <message>
         <source>Stock</source>
         <translation>Material</translation>
-    </message>
-    <message>
-        <source>Contour</source>
-        <translation>Kontur</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -9058,6 +9565,26 @@
     <message>
         <source>Whole plywood board</source>
         <translation>Ganze Sperrholzplatte</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SheetView</name>
+    <message>
+        <source>%1 mm, to check the size</source>
+        <translation>%1 mm, zum Prüfen der Größe</translation>
+    </message>
+    <message>
+        <source>Sheet, as it will be cut</source>
+        <translation>Platte, wie sie geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Plus and minus zoom, the arrow keys move it, Home shows all of it.</source>
+        <translation>Plus und Minus zoomen, die Pfeiltasten verschieben sie, Pos1 zeigt die ganze.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
+        <translation>%1  %2</translation>
     </message>
 </context>
 <context>
@@ -9751,10 +10278,6 @@
         <translation>Schlitz gezeichnet</translation>
     </message>
     <message>
-        <source>%1 = %2 + %3 − %4</source>
-        <translation>%1 = %2 + %3 − %4</translation>
-    </message>
-    <message>
         <source>none: the kerf is wider than the slit</source>
         <translation>keine: Die Schnittfuge ist breiter als der Schlitz</translation>
     </message>
@@ -10002,6 +10525,29 @@
     <message>
         <source>A copy of unsaved work could not be read; it is kept as %1.</source>
         <translation>Eine Kopie ungespeicherter Arbeit ließ sich nicht lesen; sie bleibt unter %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ViewChips</name>
+    <message>
+        <source>How the model is shown</source>
+        <translation>Wie das Modell gezeigt wird</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>Click to see the sections as they are again.</source>
+        <translation>Klicken zeigt die Scheiben wieder, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufgeschnitten</translation>
+    </message>
+    <message>
+        <source>Click to see the whole model again.</source>
+        <translation>Klicken zeigt wieder das ganze Modell.</translation>
     </message>
 </context>
 <context>

@@ -196,6 +196,13 @@
             <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n copies of %1 carry it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
+        <translation>
+            <numerusform>The copy of %1 carries it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
+            <numerusform>%n copies of %1 carry it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>
@@ -413,10 +420,11 @@
 <context>
     <name>fff::ui::ChecksDock</name>
     <message numerus="yes">
-        <source>%n more like this</source>
+        <source>%1 in %n places</source>
+        <extracomment>%1 is what is wrong, such as &quot;Sections overlap&quot;</extracomment>
         <translation>
-            <numerusform>%n more like this</numerusform>
-            <numerusform>%n more like this</numerusform>
+            <numerusform>%1 in %n place</numerusform>
+            <numerusform>%1 in %n places</numerusform>
         </translation>
     </message>
 </context>
@@ -471,6 +479,16 @@
         <translation>
             <numerusform>And %n more.</numerusform>
             <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OverlayPainter</name>
+    <message numerus="yes">
+        <source>%1, and %n more here</source>
+        <translation>
+            <numerusform>%1, and %n more here</numerusform>
+            <numerusform>%1, and %n more here</numerusform>
         </translation>
     </message>
 </context>
