@@ -33,13 +33,14 @@ bool isOfSheets(const Finding &finding)
 ExportRemark remarkOf(const FindingRow &row, const Model &model)
 {
     const CheckWords words = checkWords(row.finding, model);
-    if (row.count > 1)
-        return {row.finding.severity,
-                //: %1 is a verdict, %2 how often it is so, two at least
-                ExportRemarksTexts::tr("%1, %2 times").arg(verdictText(row.finding)).arg(row.count),
-                {},
-                row.finding,
-                {}};
+    if (row.count() > 1)
+        return {
+            row.finding.severity,
+            //: %1 is a verdict, %2 how often it is so, two at least
+            ExportRemarksTexts::tr("%1, %2 times").arg(verdictText(row.finding)).arg(row.count()),
+            {},
+            row.finding,
+            {}};
     return {row.finding.severity, words.title, words.text, row.finding, {}};
 }
 

@@ -406,13 +406,15 @@ void ChecksDock::choose(Subject subject)
 
 void ChecksDock::choose(const Finding &finding)
 {
-    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &one) {
-        return isSameVerdict(one.finding, finding);
-    });
-    if (row == m_rows.end())
-        return choose(finding.subject());
-    Q_EMIT shown();
-    choose(static_cast<int>(row - m_rows.begin()), true);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const int place = m_rows[i].placeOf(finding);
+        if (place < 0)
+            continue;
+        m_rows[i].place = place;
+        Q_EMIT shown();
+        return choose(static_cast<int>(i), true);
+    }
+    choose(finding.subject());
 }
 
 /// The stock of what it is about.
