@@ -1367,8 +1367,8 @@
         <translation>Schritt für Schritt zeigen, wie das Modell zusammengebaut wird</translation>
     </message>
     <message>
-        <source>&amp;Stocks…</source>
-        <translation>&amp;Materialien …</translation>
+        <source>Stoc&amp;ks…</source>
+        <translation>Mate&amp;rialien …</translation>
     </message>
     <message>
         <source>Stocks</source>
@@ -2393,7 +2393,7 @@
         <translation>In die ausgewählte Scheibe ein Loch zeichnen</translation>
     </message>
     <message>
-        <source>&amp;Drop to ground</source>
+        <source>Drop to gro&amp;und</source>
         <translation>Auf den Boden se&amp;tzen</translation>
     </message>
     <message>
@@ -2725,7 +2725,7 @@
         <translation>Dieselbe Datei noch einmal schreiben, mit denselben Angaben</translation>
     </message>
     <message>
-        <source>&amp;First steps</source>
+        <source>First ste&amp;ps</source>
         <translation>&amp;Erste Schritte</translation>
     </message>
     <message>
@@ -2741,8 +2741,8 @@
         <translation>Es wurde noch nicht ausgegeben</translation>
     </message>
     <message>
-        <source>Se&amp;ctions from SVG…</source>
-        <translation>S&amp;cheiben aus SVG…</translation>
+        <source>Sections from SV&amp;G…</source>
+        <translation>Scheiben aus SV&amp;G…</translation>
     </message>
     <message>
         <source>&amp;Contour from SVG…</source>

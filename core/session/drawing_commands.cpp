@@ -17,7 +17,7 @@ namespace fff {
 namespace {
 
 constexpr CommandWords kDrawingWords[] = {
-    {"section.importSections", FFF_TEXT("Command", "Se&ctions from SVG…"),
+    {"section.importSections", FFF_TEXT("Command", "Sections from SV&G…"),
      FFF_TEXT("Command", "From SVG"), "", "import_drawing",
      FFF_TEXT("Command", "A section for every outline of a drawing")},
     {"section.importContour", FFF_TEXT("Command", "&Contour from SVG…"),

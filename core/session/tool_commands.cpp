@@ -44,7 +44,7 @@ constexpr CommandWords kToolWords[] = {
      "redraw", FFF_TEXT("Command", "Draw a new contour for the selected section"), true},
     {"section.addHole", FFF_TEXT("Command", "Draw a &hole"), FFF_TEXT("Command", "Hole"), "O",
      "hole", FFF_TEXT("Command", "Draw a hole in the selected section"), true},
-    {"section.dropToGround", FFF_TEXT("Command", "&Drop to ground"), FFF_TEXT("Command", "Drop"),
+    {"section.dropToGround", FFF_TEXT("Command", "Drop to gro&und"), FFF_TEXT("Command", "Drop"),
      "End", "drop_to_ground", FFF_TEXT("Command", "Set the model down on the ground"), true},
 };
 

@@ -37,6 +37,17 @@ class TestMakingWindow : public QObject, private ViewHand
 {
     Q_OBJECT
 
+private:
+    /// The field for another named value; these are folded at first.
+    QLineEdit *newNumber()
+    {
+        if (!find<QLineEdit>("number.new"))
+            for (QPushButton *heading : m_window->findChildren<QPushButton *>())
+                if (heading->text() == QStringLiteral("Named values"))
+                    heading->click();
+        return find<QLineEdit>("number.new");
+    }
+
 private Q_SLOTS:
     void init() { openWindow(); }
     void cleanup() { closeWindow(); }
@@ -231,7 +242,7 @@ void TestMakingWindow::aDimensionIsKeptAndTyped()
 // Wrong: what is the same everywhere had to be typed everywhere.
 void TestMakingWindow::namesAreTakenInFields()
 {
-    auto *field = find<QLineEdit>("number.new");
+    auto *field = newNumber();
     QVERIFY(field);
     field->setFocus();
     QTest::keyClicks(field, QStringLiteral("gap = 12.5 mm"));
@@ -247,7 +258,7 @@ void TestMakingWindow::namesAreTakenInFields()
 
 void TestMakingWindow::namesThatCannotBe()
 {
-    auto *field = find<QLineEdit>("number.new");
+    auto *field = newNumber();
     field->setFocus();
     for (const char *text : {"gap", "2x = 3", "t = 3", "gap = ", "gap = gap", "gap = 1/0",
                              "gap = 2mm*2mm", "mm = 4"}) {
@@ -263,7 +274,7 @@ void TestMakingWindow::namesThatCannotBe()
 void TestMakingWindow::namesThatFollow()
 {
     for (const char *text : {"gap = 10 mm", "twice = 2*gap", "count = 3"}) {
-        auto *field = find<QLineEdit>("number.new");
+        auto *field = newNumber();
         field->setFocus();
         QTest::keyClicks(field, QLatin1String(text));
         QTest::keyClick(field, Qt::Key_Return);
@@ -459,8 +470,17 @@ void TestMakingWindow::byKeysAlone()
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("cross.svg"));
     QTimer dialogs;
+    bool isAsked = false;
     connect(&dialogs, &QTimer::timeout, &dialogs, [&] {
-        if (!qobject_cast<QFileDialog *>(QApplication::activeModalWidget()))
+        QWidget *dialog = QApplication::activeModalWidget();
+        if (dialog && dialog->objectName() == QStringLiteral("exportDialog") && !isAsked) {
+            const auto *now = dialog->findChild<QPushButton *>(QStringLiteral("exportNow"));
+            isAsked = now && now->isEnabled(); // when the sheets are there
+            if (isAsked)                       // not from here: this timer waits for what it begins
+                QTimer::singleShot(0, dialog,
+                                   [dialog] { QTest::keyPress(dialog, Qt::Key_Return); });
+        }
+        if (!qobject_cast<QFileDialog *>(dialog))
             return;
         dialogs.stop();
         send(Qt::Key_A, Qt::ControlModifier);

@@ -52,7 +52,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "select"},
 
         // What has its place on a bar, a page, a key or a right click.
-        {QT_TR_NOOP("&File"), "file.addToLibrary", kSearchedMenu},
+        {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain", kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "
          "edit.selectPrevious measure.dimension measure.keep measure.remove mirror.x mirror.y "

@@ -26,16 +26,17 @@ FirstSections::FirstSections(const Session &session, CheckList &list, QObject *p
     connect(&session, &Session::modelChanged, this, &FirstSections::follow);
 }
 
-void FirstSections::follow()
+void FirstSections::follow(const Model &before, const Model &after)
 {
-    // What was opened and not touched is as somebody left it.
+    // What was opened is as somebody left it, and edits of what is there may do harm.
     const bool isDrawn = m_session.history()->index() > 0 || m_session.hasPreview();
-    if (isDrawn && isBegun(m_session.model().document)) {
-        m_list.setBeginning(true);
-        m_pause.start();
-    } else {
-        takeAsIs();
-    }
+    const bool hasNew = after.document.sections.size() > before.document.sections.size();
+    if (!isDrawn || !isBegun(after.document))
+        return takeAsIs();
+    if (!hasNew && !m_pause.isActive())
+        return;
+    m_list.setBeginning(true);
+    m_pause.start();
 }
 
 void FirstSections::takeAsIs()

@@ -9,6 +9,7 @@ namespace fff {
 
 class CheckList;
 class Session;
+struct Model;
 
 namespace ui {
 
@@ -26,7 +27,7 @@ public:
     void takeAsIs();
 
 private:
-    void follow();
+    void follow(const Model &before, const Model &after);
 
     const Session &m_session;
     CheckList &m_list;

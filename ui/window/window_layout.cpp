@@ -126,12 +126,11 @@ void WindowLayout::restore()
 
 void WindowLayout::windowShown()
 {
+    const bool away = std::exchange(m_isAway, false);
     reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     m_window.restoreState(settings().windowState(), kVersion);
-    m_beforeHiding.clear(); // that was of a window nobody had seen
-    if (m_isAway)
-        follow();
+    setAway(away);
 }
 
 void WindowLayout::save() const

@@ -71,7 +71,9 @@ void TestLoadTool::aDragMovesIt()
     WeightDesk desk;
     desk.click(desk.plate(40, 25));
     const LoadId id = desk.weights()[0].id;
-    desk.drag({desk.plate(40, 25) + Vec2(3, -2), desk.plate(0, 0), desk.plate(-50, -20)});
+    // It keeps to where it was taken hold of.
+    const Vec2 grip(3, -2);
+    desk.drag({desk.plate(40, 25) + grip, desk.plate(0, 0), desk.plate(-50, -20) + grip});
     QCOMPARE(desk.weights().size(), std::size_t(1));
     QCOMPARE(desk.weights()[0].id, id);
     QVERIFY((desk.weights()[0].position - Vec2(-50, -20)).norm() < 1e-6);

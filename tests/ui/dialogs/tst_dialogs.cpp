@@ -466,7 +466,7 @@ void TestDialogs::theStartPageListsRecentFiles()
         }
         return shown;
     };
-    QCOMPARE(cards().size(), 2);
+    QTRY_COMPARE(cards().size(), 2);
     QVERIFY(cards()[0]->accessibleName().contains(QStringLiteral("missing")));
     QTest::keyClick(cards()[0], Qt::Key_Delete);
     QTRY_COMPARE(cards().size(), 1);

@@ -5,6 +5,7 @@
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "ui/base/field_style.h"
+#include "ui/bench/first_sections.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/check_row.h"
 #include "ui/settings/settings.h"
@@ -75,6 +76,7 @@ void TestTryingOut::init()
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     session().commit(QStringLiteral("Draw"), loose());
+    m_window->findChild<FirstSections *>()->takeAsIs();
     finish();
     QTRY_VERIFY(link());
 }

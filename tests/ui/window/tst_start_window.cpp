@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "tests/test_program.h"
+#include "tests/ui/window_program.h"
 #include "ui/bench/workbench.h"
 #include "ui/cards/card_grid.h"
 #include "ui/dialogs/help_window.h"
@@ -113,5 +114,5 @@ private Q_SLOTS:
     }
 };
 
-FFF_TEST(TestStartWindow)
+FFF_TEST_WITH(TestStartWindow, runInWindowProgram<TestStartWindow>)
 #include "tst_start_window.moc"
