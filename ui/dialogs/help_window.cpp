@@ -67,6 +67,9 @@ HelpWindow::HelpWindow(QWidget *parent) : QDialog(parent)
     m_text->setObjectName(QStringLiteral("helpText"));
     m_text->setAccessibleName(tr("Help"));
     m_text->setFrameShape(QFrame::NoFrame);
+    // Pictures are fitted to the width, which is not to change when the page turns out to be long.
+    m_text->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    m_text->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_text->document()->setDocumentMargin(kBesideText / 2);
     auto *buttons = new QDialogButtonBox(this);
     QPushButton *back = buttons->addButton(tr("Back"), QDialogButtonBox::ActionRole);
