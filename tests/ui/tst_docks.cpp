@@ -256,13 +256,13 @@ void TestDocks::checksSayWhatIsWrong_data()
     QTest::newRow("two plates across each other stand") << cross() << "Good: Connected";
     QTest::newRow("one plate on its edge tips easily")
         << withSection(newDocument(), polygonShape(rectangle(0, 0, 50, 50)), front())
-        << "Warning 1: Stands, but not firmly";
+        << "Warning 1: Barely stands";
     QTest::newRow("what hangs over falls")
         << withSection(newDocument(), polygonShape({{0, 0}, {10, 0}, {120, 60}, {0, 60}}), front())
         << "Problem 1: Falls over to the right";
     QTest::newRow("a plate in the air is not connected")
         << withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90))
-        << "Problem 1: Section 3 touches nothing";
+        << "Problem 1: Nothing touches Section 3";
     QTest::newRow("a plate is larger than its sheet")
         << twoSections(polygonShape(rectangle(-500, 0, 500, 60)), front(),
                        polygonShape(rectangle(-50, 0, 50, 60)), side())
@@ -528,11 +528,11 @@ void TestDocks::whatCanBeDoneIsOneStep()
     QCOMPARE(session().history()->count(), 1);
     QCOMPARE(session().history()->text(0), QStringLiteral("Move Fin to Body"));
     QCOMPARE(session().committed().sectionCount(), std::size_t(3));
-    QTRY_VERIFY(!firstCheck().contains(QStringLiteral("touches nothing")));
+    QTRY_VERIFY(!firstCheck().contains(QStringLiteral("Nothing touches")));
 
     session().history()->undo();
     QVERIFY(session().committed().document == loose);
-    QTRY_VERIFY(firstCheck().contains(QStringLiteral("touches nothing")) && link(1)->isVisible());
+    QTRY_VERIFY(firstCheck().contains(QStringLiteral("Nothing touches")) && link(1)->isVisible());
     QTest::mouseClick(link(1), Qt::LeftButton);
     QCOMPARE(session().history()->text(0), QStringLiteral("Delete Fin"));
     QCOMPARE(session().committed().sectionCount(), std::size_t(2));
@@ -546,12 +546,12 @@ void TestDocks::propertiesSayWhatIsWrong()
     loose = *renameSection(loose, loose.sections[2]->id, "Fin & <b>");
     session().reset(loose);
     QTRY_VERIFY(find<CheckRow>("checkRow0") &&
-                firstCheck().contains(QStringLiteral("touches nothing")));
+                firstCheck().contains(QStringLiteral("Nothing touches")));
     auto *problem = find<QLabel>("sectionProblem");
     QVERIFY(problem && !problem->isVisible());
     m_window->bench().select({session().committed().ref(2)});
     QTRY_VERIFY(problem->isVisible());
-    QVERIFY2(problem->text().startsWith(QStringLiteral("<b>Fin &amp; &lt;b&gt; touches nothing.")),
+    QVERIFY2(problem->text().startsWith(QStringLiteral("<b>Nothing touches Fin &amp; &lt;b&gt;.")),
              qPrintable(problem->text()));
     m_window->bench().select({session().committed().ref(0)});
     QTRY_VERIFY(!problem->isVisible());

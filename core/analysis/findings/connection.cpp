@@ -19,7 +19,7 @@ Message connectedSentence(const Finding &finding, const Model &)
 {
     const Connection &all = *finding.details<Connection>();
     if (all.sections == 1)
-        return {FFF_TEXT("Checks", "Connected. There is only one section."), {}};
+        return {FFF_TEXT("Checks", "Connected. Only one section so far."), {}};
     const Message joints = all.joints == 1
                                ? Message{FFF_TEXT("Checks", "1 joint"), {}}
                                : Message{FFF_TEXT_OF_MANY("Checks", "%n joints"), {}, all.joints};
@@ -42,8 +42,8 @@ Message notConnectedSentence(const Finding &finding, const Model &model)
         return {isOne ? FFF_TEXT("Checks", "%1 meets %2, but no joint holds them together.")
                       : FFF_TEXT("Checks", "%1 meet %2, but no joint holds them together."),
                 {names, other}};
-    return {isOne ? FFF_TEXT("Checks", "%1 touches nothing. It is %2 away from %3.")
-                  : FFF_TEXT("Checks", "%1 touch nothing else. They are %2 away from %3."),
+    return {isOne ? FFF_TEXT("Checks", "Nothing touches %1. It is %2 away from %3.")
+                  : FFF_TEXT("Checks", "Nothing else touches %1. They are %2 away from %3."),
             {names, lengthOf(gap.distance), other}};
 }
 

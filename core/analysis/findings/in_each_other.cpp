@@ -72,8 +72,9 @@ Message shallowSentence(const Finding &finding, const Model &model)
 {
     const ShallowAngle &how = *finding.details<ShallowAngle>();
     const bool isTooShallow = how.angle < kMinJointAngle;
-    return {isTooShallow ? FFF_TEXT("Checks", "%1 meets %2 at %3; below %4 no slit can hold it.")
-                         : FFF_TEXT("Checks", "%1 meets %2 at %3; slits get wide below %4."),
+    return {isTooShallow ? FFF_TEXT("Checks", "%1 and %2 almost lie in one plane: they meet at %3, "
+                                              "and below %4 no slit can hold them.")
+                         : FFF_TEXT("Checks", "%1 and %2 meet at %3; slits get wide below %4."),
             {nameAt(finding, model, 0), nameAt(finding, model, 1), angleOf(how.angle),
              angleOf(isTooShallow ? kMinJointAngle : how.least)}};
 }
@@ -112,13 +113,13 @@ std::map<std::pair<int, int>, const Interpenetration *> deepestOf(const ModelPla
 
 } // namespace
 
-const FindingKind kNoSlit{"interference", Subject::Joints,
-                          FFF_TEXT("Checks", "Cut into each other"), noSlitSentence, noSlitActions};
+const FindingKind kNoSlit{"interference", Subject::Joints, FFF_TEXT("Checks", "Sections overlap"),
+                          noSlitSentence, noSlitActions};
 const FindingKind kInterference{"interference", Subject::Joints,
-                                FFF_TEXT("Checks", "Cut into each other"), interferenceSentence,
+                                FFF_TEXT("Checks", "Sections overlap"), interferenceSentence,
                                 mendsOfPair};
 const FindingKind kShallowAngle{
-    "shallowAngle",  Subject::Joints, FFF_TEXT("Checks", "Shallow angle"),
+    "shallowAngle",  Subject::Joints, FFF_TEXT("Checks", "Angle too flat"),
     shallowSentence, turnEither,      nullptr,
     nullptr,         nullptr,         FFF_TEXT("Checks", "Turn one of them further to the other.")};
 

@@ -14,7 +14,7 @@ Message canSentence(const Finding &finding, const Model &)
 {
     const int steps = finding.details<AssemblyOrder>()->steps;
     if (steps == 1)
-        return {FFF_TEXT("Checks", "Can be assembled. There is only one part."), {}};
+        return {FFF_TEXT("Checks", "Can be assembled. Only one part so far."), {}};
     return {FFF_TEXT_OF_MANY("Checks", "Can be assembled. %n steps."), {}, steps};
 }
 
@@ -51,11 +51,13 @@ Message cannotSentence(const Finding &finding, const Model &model)
                 {names, Message{FFF_TEXT_OF_MANY("Checks", "%n joints"), {}, blocked.joints},
                  blocked.directions}};
     if (blocked.distance > 0.0)
-        return {FFF_TEXT("Checks", "Sections block each other. %1 comes only %2 out of its slit in "
-                                   "%3, then it runs into it."),
-                {nameAt(finding, model, 0), lengthOf(blocked.distance), nameAt(finding, model, 1)}};
-    return {FFF_TEXT("Checks", "Sections block each other. Of %1 none comes off the others on a "
-                               "straight way."),
+        return {
+            FFF_TEXT(
+                "Checks",
+                "Sections block each other. %1 comes only %2 out of its slit before it hits %3."),
+            {nameAt(finding, model, 0), lengthOf(blocked.distance), nameAt(finding, model, 1)}};
+    return {FFF_TEXT("Checks",
+                     "Sections block each other. None of %1 can be removed in a straight line."),
             {names}};
 }
 
@@ -76,10 +78,8 @@ std::optional<FindingEdit> assemblable(const FindingAction &, const Finding &,
         return {};
     const Message said =
         flips->count == 1
-            ? Message{FFF_TEXT("Checks", "The slits of one joint were turned round."), {}}
-            : Message{FFF_TEXT_OF_MANY("Checks", "The slits of %n joints were turned round."),
-                      {},
-                      flips->count};
+            ? Message{FFF_TEXT("Checks", "1 joint flipped."), {}}
+            : Message{FFF_TEXT_OF_MANY("Checks", "%n joints flipped."), {}, flips->count};
     return FindingEdit{kMakeStep, flips->document, said};
 }
 
@@ -142,7 +142,7 @@ const ActionKind kMakeAssemblable{plainWords<kMakeText>, assemblable};
 const FindingKind kCanAssemble{"canAssemble", Subject::Assembly,
                                FFF_TEXT("Checks", "Can be assembled"), canSentence, showSteps};
 const FindingKind kCanOtherwiseAssemble{"interference", Subject::Assembly,
-                                        FFF_TEXT("Checks", "In each other"), canOtherwiseSentence,
+                                        FFF_TEXT("Checks", "Overlap"), canOtherwiseSentence,
                                         showSteps};
 const FindingKind kCannotAssemble{
     "cannotAssemble",

@@ -13,12 +13,14 @@ Message ringsSentence(const Finding &finding, const Model &model)
 {
     const int count = finding.details<Rings>()->count;
     if (count == 1)
-        return {FFF_TEXT("Checks", "%1 form a ring of joints that slide in different directions."),
+        return {FFF_TEXT("Checks", "%1 form a ring: each of these has to go in before the others."),
                 {namesOf(model, finding.sections)}};
-    return {FFF_TEXT_OF_MANY(
-                "Checks", "%n rings of sections have joints that slide in different directions."),
-            {},
-            count};
+    return {
+        FFF_TEXT_OF_MANY(
+            "Checks",
+            "%n rings of sections, in each of which every section has to go in before the others."),
+        {},
+        count};
 }
 
 ProblemLook ringsLook(const Finding &finding)

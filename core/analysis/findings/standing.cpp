@@ -46,7 +46,12 @@ std::optional<FindingEdit> stretched(const FindingAction &, const Finding &findi
     return FindingEdit{ofSections(kStretchStep, names), *std::move(next)};
 }
 
-constexpr Text kDropText = FFF_TEXT("Checks", "Drop it to the ground");
+Message dropWords(const FindingAction &, const Finding &finding, const Model &)
+{
+    return {finding.is(kNoContact) ? FFF_TEXT("Checks", "Drop it to the ground")
+                                   : FFF_TEXT("Checks", "Raise it to the ground"),
+            {}};
+}
 
 /// The whole model, from above or from below as the finding has it.
 std::optional<FindingEdit> dropped(const FindingAction &, const Finding &finding,
@@ -98,10 +103,11 @@ Message standsSentence(const Finding &finding, const Model &model)
 Message unsteadySentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
-    return ofThese(finding, model,
-                   {FFF_TEXT("Checks", "Stands, but not firmly: it tips past %1. The centre of "
-                                       "mass is only %2 inside the feet."),
-                    {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+    return ofThese(
+        finding, model,
+        {FFF_TEXT("Checks",
+                  "Barely stands: the slightest push tips it over. Tips past %1, margin %2."),
+         {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
 }
 
 /// What else could be a foot; may be empty.
@@ -130,10 +136,10 @@ Text fallOf(Towards side)
                         "Falls over backwards. The centre of mass lies %1 behind the feet.");
     case Towards::Left:
         return FFF_TEXT("Checks",
-                        "Falls over to the left. The centre of mass lies %1 beside the feet.");
+                        "Falls over to the left. The centre of mass lies %1 outside its feet.");
     case Towards::Right:
         return FFF_TEXT("Checks",
-                        "Falls over to the right. The centre of mass lies %1 beside the feet.");
+                        "Falls over to the right. The centre of mass lies %1 outside its feet.");
     }
     return {}; // not reached: every side is above
 }
@@ -269,7 +275,7 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
 } // namespace
 
 const ActionKind kStretchToGround{stretchWords, stretched};
-const ActionKind kDropToGround{plainWords<kDropText>, dropped};
+const ActionKind kDropToGround{dropWords, dropped};
 
 const FindingKind kStands{
     "stands", Subject::Stability, FFF_TEXT("Checks", "Stands"), standsSentence,

@@ -16,10 +16,13 @@ Message thinSentence(const Finding &finding, const Model &model)
 {
     const ThinWeb &web = *finding.details<ThinWeb>();
     const Text text =
-        finding.others.size() > 1 ? FFF_TEXT("Checks", "%1: only %2 stay between its slits for %3.")
+        finding.others.size() > 1
+            ? FFF_TEXT("Checks", "%1: only %2 of material is left between its slits for %3.")
         : web.isByAHole
-            ? FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and a hole.")
-            : FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and its edge.");
+            ? FFF_TEXT("Checks",
+                       "%1: only %2 of material is left between its slit for %3 and a hole.")
+            : FFF_TEXT("Checks",
+                       "%1: only %2 of material is left between its slit for %3 and its edge.");
     // Lengths are said to a tenth, widths to a hundredth: what is left must not read as nothing.
     const Quantity width =
         web.width < 0.1 ? widthOf(std::max(web.width, 0.01)) : lengthOf(web.width);
@@ -81,7 +84,7 @@ Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
 
 const FindingKind kThinWeb{"thinWeb",
                            Subject::Joints,
-                           FFF_TEXT("Checks", "Thin web"),
+                           FFF_TEXT("Checks", "Too little material"),
                            thinSentence,
                            widenWeb,
                            nullptr,

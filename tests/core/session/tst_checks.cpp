@@ -170,7 +170,7 @@ void TestChecks::looseSectionIsFarFromTheRest()
     QVERIFY(std::abs(gap.distance - 40.0) < 1e-9);
     QCOMPARE(*gap.other, SectionRef(document.sections[1]->id));
     QCOMPARE(textOf(analysis, kNotConnected),
-             QStringLiteral("Spike touches nothing. It is 40 mm away from Rib."));
+             QStringLiteral("Nothing touches Spike. It is 40 mm away from Rib."));
     // What hangs in the air because nothing holds it is not named twice.
     QVERIFY(find(all, kStands) && !find(all, kNoContact));
     QCOMPARE(footingOf(all, kStands).sections, 2);
@@ -200,8 +200,8 @@ void TestChecks::plateOnEdgeIsNotFirm()
     QVERIFY(finding);
     QCOMPARE(finding->severity, Severity::Warning);
     QCOMPARE(textOf(analysis, kUnsteady),
-             QStringLiteral("Stands, but not firmly: it tips past 2°. The centre of mass is only "
-                            "1.5 mm inside the feet."));
+             QStringLiteral("Barely stands: the slightest push tips it over. Tips past 2°, margin "
+                            "1.5 mm."));
 }
 
 void TestChecks::weightsTip()

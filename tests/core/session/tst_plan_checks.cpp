@@ -57,7 +57,7 @@ void TestPlanChecks::sentences_data()
     QTest::addColumn<QString>("sentence");
     QTest::newRow("one part") << withSection(newDocument(), polygonShape(rectangle(0, 0, 40, 40)),
                                              front())
-                              << QStringLiteral("Can be assembled. There is only one part.");
+                              << QStringLiteral("Can be assembled. Only one part so far.");
     QTest::newRow("a crate") << eggCrate(2, 2) << QStringLiteral("Can be assembled. 4 steps.");
     QTest::newRow("locked by directions")
         << triangle()
@@ -138,7 +138,8 @@ void TestPlanChecks::anAngleThatNoSlitTakesIsAnError()
     QVERIFY(said.checks.back().is(kShallowAngle));
     QCOMPARE(said.checks.back().severity, Severity::Error);
     QCOMPARE(said.sentences.back(),
-             QStringLiteral("Section 1 meets Section 2 at 8°; below 10° no slit can hold it."));
+             QStringLiteral("Section 1 and Section 2 almost lie in one plane: they meet at 8°, and "
+                            "below 10° no slit can hold them."));
 }
 
 /// What would be wrong: a web that breaks in the hand is cut without a word, or every short slit is
@@ -155,8 +156,9 @@ void TestPlanChecks::websAreMeasured()
     };
     const auto last = [&](double away) { return twoRibs(away).checks.back(); };
     QCOMPARE(twoRibs(4).sentences.back(),
-             QStringLiteral("Section 1: only 1 mm stay between its slits for Section 2 and "
-                            "Section 3."));
+             QStringLiteral(
+                 "Section 1: only 1 mm of material is left between its slits for Section 2 and "
+                 "Section 3."));
     QCOMPARE(last(4).severity, Severity::Warning);
     QVERIFY(last(5).is(kThinWeb));
     QCOMPARE(last(5).severity, Severity::Note);
