@@ -69,6 +69,8 @@ const OperationKind kArray{
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Array"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Repeats sections along a line through space."),
+    //: %1 is the name of a section: "Rib array"
+    .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 array"); },
     .inputs = {{.role = "sections",
                 .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
                 .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections to repeat."),

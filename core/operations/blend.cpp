@@ -240,6 +240,8 @@ const OperationKind kBlend{
     .name = QT_TRANSLATE_NOOP("Operation", "Blend"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Makes sections between others, which turn into one "
                                               "another."),
+    //: %1 is the name of a section: "Rib blend"
+    .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 blend"); },
     .inputs = {{.role = "sections",
                 .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
                 .prompt =
@@ -248,7 +250,8 @@ const OperationKind kBlend{
                 .most = 50},
                {.role = "along",
                 .label = QT_TRANSLATE_NOOP("Operation", "Along"),
-                .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section it shall run along.")}},
+                .prompt =
+                    QT_TRANSLATE_NOOP("Operation", "Click the section it should run along.")}},
     .parameters = {{.key = "count",
                     .label = QT_TRANSLATE_NOOP("Operation", "Count"),
                     .unit = Unit::Count,

@@ -358,6 +358,8 @@ const OperationKind kBranch{
     .name = QT_TRANSLATE_NOOP("Operation", "Branch"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Puts a section with all that is on it in the place "
                                               "of its children, again and again."),
+    //: %1 is the name of a section: "Rib branch"
+    .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 branch"); },
     .inputs = {{.role = "root",
                 .label = QT_TRANSLATE_NOOP("Operation", "Root"),
                 .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section that branches.")},
@@ -369,7 +371,7 @@ const OperationKind kBranch{
                {.role = "children",
                 .label = QT_TRANSLATE_NOOP("Operation", "Children"),
                 .prompt = QT_TRANSLATE_NOOP(
-                    "Operation", "Click those of its children whose place copies shall take."),
+                    "Operation", "Click the attached sections that copies should replace."),
                 .most = 50}},
     .parameters = parameters(),
     .make = make};

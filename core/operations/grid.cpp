@@ -333,6 +333,8 @@ const OperationKind kGrid{
     .name = QT_TRANSLATE_NOOP("Operation", "Grid"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Divides a section that is too large into cells that "
                                               "hold together."),
+    //: %1 is the name of a section: "Rib grid"
+    .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 grid"); },
     .inputs = {{.role = "section",
                 .label = QT_TRANSLATE_NOOP("Operation", "Section"),
                 .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section to divide.")}},

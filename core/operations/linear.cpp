@@ -268,6 +268,8 @@ const OperationKind kLinear{
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Linear"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Repeats a section in a row along another one."),
+    //: %1 is the name of a section: "Rib row"
+    .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 row"); },
     .inputs = repeatInputs(),
     .parameters = parameters(),
     .handles = {"from", "to"},

@@ -66,6 +66,8 @@ struct OperationKind
     int version = 1;
     const char *name;
     const char *summary; // a sentence
+    /// What one is called by itself after its first input: "%1 row". Null: as the kind.
+    const char *(*calls)(const Operation &operation) = nullptr;
     std::vector<InputSpec> inputs;
     std::vector<ParameterSpec> parameters;
     /// Parameters that have a handle in the view, which goes along the result's track.

@@ -161,6 +161,25 @@ std::vector<ParameterSpec> parameters()
              .countsFor = {"circle", "star", "gear", "sector"}}};
 }
 
+/// "Hind legs gear".
+const char *radialName(const Operation &operation)
+{
+    const auto kind = operation.parameters.find("kind");
+    const auto is = [&](const char *key) {
+        return kind != operation.parameters.end() &&
+               kind->second == ParameterValue(std::string(key));
+    };
+    if (is("star"))
+        return QT_TRANSLATE_NOOP("Operation", "%1 star");
+    if (is("gear"))
+        return QT_TRANSLATE_NOOP("Operation", "%1 gear");
+    if (is("holes"))
+        return QT_TRANSLATE_NOOP("Operation", "%1 holes");
+    if (is("sector"))
+        return QT_TRANSLATE_NOOP("Operation", "%1 rosette");
+    return QT_TRANSLATE_NOOP("Operation", "%1 circle");
+}
+
 } // namespace
 
 const OperationKind kRadial{
@@ -169,6 +188,7 @@ const OperationKind kRadial{
     .name = QT_TRANSLATE_NOOP("Operation", "Radial"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Makes a section a circle, a star or a gear, or puts "
                                               "such holes into it."),
+    .calls = radialName,
     .inputs = {{.role = "section",
                 .label = QT_TRANSLATE_NOOP("Operation", "Section"),
                 .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section to shape.")}},

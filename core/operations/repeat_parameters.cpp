@@ -15,7 +15,7 @@ std::vector<InputSpec> repeatInputs()
              .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section to repeat.")},
             {.role = "along",
              .label = QT_TRANSLATE_NOOP("Operation", "Along"),
-             .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section it shall run along.")}};
+             .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section it should run along.")}};
 }
 
 ParameterSpec wholeBranchParameter()

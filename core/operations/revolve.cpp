@@ -273,6 +273,8 @@ const OperationKind kRevolve{
     .name = QT_TRANSLATE_NOOP("Operation", "Revolve"),
     .summary =
         QT_TRANSLATE_NOOP("Operation", "Repeats a section round the contour of another one."),
+    //: %1 is the name of a section: "Rib fan"
+    .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 fan"); },
     .inputs = repeatInputs(),
     .parameters = parameters(),
     .handles = {"from", "to"},

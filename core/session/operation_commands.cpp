@@ -42,7 +42,7 @@ constexpr CommandWords kOperationWords[] = {
      FFF_TEXT("Command", "Repeat sections along a line through space")},
     {"operation.symmetric", FFF_TEXT("Command", "Make symmetric &now"),
      FFF_TEXT("Command", "Symmetric"), "", "symmetry",
-     FFF_TEXT("Command", "Copy what stands on one side to the other side, once")},
+     FFF_TEXT("Command", "Mirror one side to the other, once")},
     {"operation.switch", FFF_TEXT("Command", "&Switch off or on"), FFF_TEXT("Command", "On"), "",
      "operation_switch", FFF_TEXT("Command", "Switch the selected operation off, or on again")},
     {"operation.moveUp", FFF_TEXT("Command", "Earlier in the &order"),
@@ -305,9 +305,14 @@ private:
 
 std::string freeOperationName(const Document &document, const Operation &operation)
 {
-    std::string base = kindName(operation).toStdString();
+    const OperationKind *kind = operationKind(operation.kind);
     const OperationInput *input = firstInput(operation);
-    if (input)
+    std::string base = kindName(operation).toStdString();
+    if (input && kind && kind->calls)
+        base = operationText(kind->calls(operation))
+                   .arg(QString::fromStdString(input->name))
+                   .toStdString();
+    else if (input)
         base.append(" ").append(input->name);
     for (int number = 1;; ++number) {
         std::string name = base;

@@ -27,7 +27,7 @@ namespace fff {
 void registerOperationCommands(CommandRegistry &registry, Session &session,
                                Interaction &interaction);
 
-/// What an operation is called by itself: "Linear Rib", "Linear Rib (2)", "Mirror 1".
+/// What an operation is called by itself: "Rib row", "Rib row (2)", "Mirror 1".
 std::string freeOperationName(const Document &document, const Operation &operation);
 
 } // namespace fff

@@ -115,7 +115,7 @@ void TestOperationsInView::twoSectionsAndThreeClicks()
     desk.click(desk.placeOf("Spine"));
     QVERIFY(!desk.interaction.tool());
     QCOMPARE(desk.model().sectionCount(), 2U + 7U);
-    QCOMPARE(desk.document().operations[0]->name, std::string("Linear Rib"));
+    QCOMPARE(desk.document().operations[0]->name, std::string("Rib row"));
     QCOMPARE(desk.interaction.selectedOperation(), desk.ribs());
     QCOMPARE(desk.session.history()->count(), 1);
 }

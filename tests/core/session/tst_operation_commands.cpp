@@ -79,8 +79,8 @@ void TestOperationCommands::inputsByNameAndBySelection()
     QVERIFY(selected.run("operation.linear"));
     selected.interaction.select({selected.bones.rib, selected.bones.spine});
     QVERIFY(selected.run("operation.linear", {{"count", "3"}}));
-    QCOMPARE(selected.document().operations[0]->name, std::string("Linear Rib"));
-    QCOMPARE(selected.document().operations[1]->name, std::string("Linear Rib (2)"));
+    QCOMPARE(selected.document().operations[0]->name, std::string("Rib row"));
+    QCOMPARE(selected.document().operations[1]->name, std::string("Rib row (2)"));
     QCOMPARE(selected.session.committed().sectionCount(), 2U + 7U + 2U);
     // Several in one role, one on a line.
     Bench blend;
