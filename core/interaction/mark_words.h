@@ -8,7 +8,7 @@ namespace fff::hints {
 inline constexpr Text kPickMarked =
     FFF_TEXT("Hint", "Click the section to engrave. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kDrawMark = FFF_TEXT(
-    "Hint", "Drag to draw a line on %1; <kbd>Shift</kbd> keeps it straight. Click to set words.");
+    "Hint", "Drag to draw a line on %1; <kbd>Shift</kbd> keeps it straight. Click to place text.");
 inline constexpr Text kDrawingMark =
     FFF_TEXT("Hint", "Release to leave the line so. <kbd>Esc</kbd> cancels.");
 //: %1 is the name of a section, seen from behind until now

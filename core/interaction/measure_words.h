@@ -12,13 +12,13 @@ inline constexpr Text kMeasureFrom =
 inline constexpr Text kSecondPlace =
     FFF_TEXT("Hint", "Go to the second place. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kMeasured =
-    FFF_TEXT("Hint", "Drag again to measure something else. <kbd>Esc</kbd> puts it away.");
+    FFF_TEXT("Hint", "Click or drag to measure again. <kbd>Esc</kbd> clears it.");
 inline constexpr Text kDimensionFrom = FFF_TEXT(
     "Hint",
     "Drag along something whose length you know; the whole model follows. <kbd>Esc</kbd> ends.");
-inline constexpr Text kDimensionType =
-    FFF_TEXT("Hint", "Type how long this shall be; <kbd>Enter</kbd> scales the whole model. "
-                     "<kbd>Esc</kbd> cancels.");
+inline constexpr Text kDimensionType = FFF_TEXT(
+    "Hint",
+    "Type the length you want; <kbd>Enter</kbd> scales the whole model. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kNotScaled =
     FFF_TEXT("Hint", "The model cannot be made that large or small.");
 inline constexpr Text kNotScaledSoFar =

@@ -7,11 +7,11 @@ namespace fff::hints {
 
 inline constexpr Text kPenWithoutCanvas =
     FFF_TEXT("Hint", "Drag out of a section to draw across it with the pen; drag here to turn the "
-                     "view. <kbd>Esc</kbd> lays the pen down.");
+                     "view. <kbd>Esc</kbd> puts the pen away.");
 inline constexpr Text kPenOnSection =
     FFF_TEXT("Hint", "Drag out of %1 to draw across it with the pen; click to select it.");
 inline constexpr Text kPenFirstPoint = FFF_TEXT(
-    "Hint", "Click to set the first point, drag to bend. <kbd>Esc</kbd> lays the pen down.");
+    "Hint", "Click to set the first point, drag to bend. <kbd>Esc</kbd> puts the pen away.");
 inline constexpr Text kPenPoint =
     FFF_TEXT("Hint", "Click to set a point, drag to bend; <kbd>Enter</kbd> closes, "
                      "<kbd>Backspace</kbd> takes one back.");

@@ -13,6 +13,6 @@ inline constexpr Text kCannotBeOn = FFF_TEXT("Hint", "%1 cannot be on %2, which 
 inline constexpr Text kDoNotMeet =
     FFF_TEXT("Hint", "%1 and %2 do not meet: move one of them across the other first.");
 inline constexpr Text kPickParent =
-    FFF_TEXT("Hint", "Click the section that %1 shall be on. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "Click the section to put %1 on. <kbd>Esc</kbd> cancels.");
 
 } // namespace fff::hints

@@ -13,7 +13,7 @@ inline constexpr Text kLeaveGuided =
 inline constexpr Text kTurning =
     FFF_TEXT("Hint", "Turning to the new plane; wait until it stops, or draw on at once.");
 inline constexpr Text kLeaveDeadZone =
-    FFF_TEXT("Hint", "Leave the grey zone where the contour shall begin. Release here cancels.");
+    FFF_TEXT("Hint", "Leave the grey zone where the contour should start. Release here to cancel.");
 inline constexpr Text kDrawContour =
     FFF_TEXT("Hint", "Draw the contour, release to close it. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kReleaseToMake =

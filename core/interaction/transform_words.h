@@ -6,10 +6,10 @@
 namespace fff::hints {
 
 inline constexpr Text kTransformPick = FFF_TEXT(
-    "Hint", "Click the section to move or turn, or drag it. <kbd>Esc</kbd> lays the handles down.");
+    "Hint", "Click the section to move or turn, or drag it. <kbd>Esc</kbd> hides the handles.");
 inline constexpr Text kTransform =
     FFF_TEXT("Hint", "Drag an arrow to move, a ring to turn, a box to scale; or type numbers. "
-                     "<kbd>Esc</kbd> lays the handles down.");
+                     "<kbd>Esc</kbd> hides the handles.");
 inline constexpr Text kTransformDrag = FFF_TEXT("Hint", "Drag to move %1; click to select it.");
 inline constexpr Text kDragToMove = FFF_TEXT(
     "Hint",

@@ -24,10 +24,10 @@ constexpr CommandWords kMeasureWords[] = {
     {"measure.dimension", FFF_TEXT("Command", "Scale to a &length"),
      FFF_TEXT("Command", "Scale to a length"), "D", "dimension",
      FFF_TEXT("Command", "Set a length and scale the model to match"), true},
-    {"measure.keep", FFF_TEXT("Command", "Keep t&he dimension"), FFF_TEXT("Command", "Keep"), "",
-     "keep", FFF_TEXT("Command", "Show this length from now on")},
-    {"measure.remove", FFF_TEXT("Command", "Rem&ove the dimension"), FFF_TEXT("Command", "Remove"),
-     "", "trash", FFF_TEXT("Command", "Show this length no more")},
+    {"measure.keep", FFF_TEXT("Command", "Keep t&he length"), FFF_TEXT("Command", "Keep"), "",
+     "keep", FFF_TEXT("Command", "Keep showing this length")},
+    {"measure.remove", FFF_TEXT("Command", "Rem&ove this dimension"), FFF_TEXT("Command", "Remove"),
+     "", "trash", FFF_TEXT("Command", "Remove this dimension")},
 };
 
 //: %1 is the name of a number
@@ -205,8 +205,7 @@ void registerMeasureCommands(CommandRegistry &registry, Session &session, Intera
             const MeasureTool *tool = commands.tool();
             if (parameters.contains("dimension") || (tool && tool->dimension().isValid()))
                 return {};
-            return FFF_TEXT("Command", "No dimension is picked: click one with the tool that "
-                                       "measures");
+            return FFF_TEXT("Command", "No dimension is picked: click one with Measure");
         });
     add("measure.scale", &MeasureCommands::scale);
     add("numbers.set", &MeasureCommands::setNumber);

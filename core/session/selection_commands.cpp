@@ -22,7 +22,7 @@ constexpr CommandWords kSelectionWords[] = {
      FFF_TEXT("Command", "Select the section before this one"), true},
     {"edit.selectConnected", FFF_TEXT("Command", "Select co&nnected"),
      FFF_TEXT("Command", "Connected"), "Ctrl+Shift+A", "select_connected",
-     FFF_TEXT("Command", "Select all sections that hang together with the selected ones")},
+     FFF_TEXT("Command", "Select all sections that are connected to the selected ones")},
     {"edit.selectParallel", FFF_TEXT("Command", "&Select parallel"),
      FFF_TEXT("Command", "Parallel"), "", "select_parallel",
      FFF_TEXT("Command", "Select all sections parallel to the selected ones")},

@@ -28,9 +28,9 @@ constexpr CommandWords kSessionWords[] = {
     {"file.new", FFF_TEXT("Command", "&New"), FFF_TEXT("Command", "New"), "Ctrl+N", "new",
      FFF_TEXT("Command", "Start a new model")},
     {"edit.undo", FFF_TEXT("Command", "&Undo"), FFF_TEXT("Command", "Undo"), "Ctrl+Z", "undo",
-     FFF_TEXT("Command", "Take the last step back")},
+     FFF_TEXT("Command", "Undo the last step")},
     {"edit.redo", FFF_TEXT("Command", "&Redo"), FFF_TEXT("Command", "Redo"), "Ctrl+Shift+Z Ctrl+Y",
-     "redo", FFF_TEXT("Command", "Do the step again that was taken back")},
+     "redo", FFF_TEXT("Command", "Redo the step that was undone")},
     {"edit.delete", FFF_TEXT("Command", "&Delete"), FFF_TEXT("Command", "Delete"), "Del", "trash",
      FFF_TEXT("Command", "Delete the selected sections")},
 };
@@ -60,7 +60,7 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   needs([&] { return interaction.canUndoInTool() || session.history()->canUndo(); },
-                        FFF_TEXT("Command", "There is no step to take back")),
+                        FFF_TEXT("Command", "Nothing to undo")),
                   {},
                   [&] {
                       //: %1 is a step of the history
@@ -76,7 +76,7 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   needs([&] { return interaction.canRedoInTool() || session.history()->canRedo(); },
-                        FFF_TEXT("Command", "No step was taken back")),
+                        FFF_TEXT("Command", "Nothing to redo")),
                   {},
                   [&] {
                       //: %1 is a step of the history

@@ -44,7 +44,7 @@ constexpr CommandWords kViewWords[] = {
     {"view.xray", FFF_TEXT("Command", "&X-ray"), FFF_TEXT("Command", "X-ray"), "X", "xray",
      FFF_TEXT("Command", "See through all sections, down to their slits"), true},
     {"view.isolate", FFF_TEXT("Command", "Onl&y the selection"), FFF_TEXT("Command", "Isolate"),
-     "I", "isolate", FFF_TEXT("Command", "Let all other sections stand back"), true},
+     "I", "isolate", FFF_TEXT("Command", "Fade all other sections"), true},
     {"view.hide", FFF_TEXT("Command", "&Hide"), FFF_TEXT("Command", "Hide"), "H", "hide",
      FFF_TEXT("Command", "Hide the selected sections"), true},
     {"view.showAll", FFF_TEXT("Command", "Show &all"), FFF_TEXT("Command", "Show all"), "Shift+H",
