@@ -140,7 +140,7 @@ void CommandSearch::fill(const QString &query)
     }
     if (m_list->count() == 0) {
         auto *none = new QListWidgetItem(m_list);
-        none->setData(NameRole, tr("Nothing here is called so"));
+        none->setData(NameRole, tr("No matching commands"));
         none->setData(PathRole, tr("Try another word for it"));
         none->setFlags(Qt::NoItemFlags);
     }

@@ -199,7 +199,7 @@ void SettingsDialog::addPage(const QString &name, const QString &icon, QWidget *
 QWidget *SettingsDialog::makeGeneral()
 {
     auto *form = new Form;
-    form->choice("settingsUnit", tr("Lengths in"),
+    form->choice("settingsUnit", tr("Units"),
                  {tr("Millimetres (mm)"), tr("Centimetres (cm)"), tr("Inches (in)")},
                  static_cast<int>(settings().unit()),
                  [](int index) { settings().setUnit(static_cast<LengthUnit>(index)); });
@@ -214,7 +214,7 @@ QWidget *SettingsDialog::makeGeneral()
                  {tr("As the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
                  static_cast<int>(codes.indexOf(settings().language())),
                  [codes](int index) { settings().setLanguage(codes.at(index)); });
-    form->note(tr("Another language is used from the next start on."));
+    form->note(tr("Takes effect after a restart."));
     form->box("settingsStartPage", tr("Show the start page at start"), settings().showsStartPage(),
               [](bool on) { settings().setShowsStartPage(on); });
     return form;
@@ -223,17 +223,17 @@ QWidget *SettingsDialog::makeGeneral()
 QWidget *SettingsDialog::makeView()
 {
     auto *form = new Form;
-    form->wholeNumber("settingsTurnTime", tr("Turn time"), {0, Settings::kMaxTurnTime, 50},
+    form->wholeNumber("settingsTurnTime", tr("Turning time"), {0, Settings::kMaxTurnTime, 50},
                       tr("ms"), settings().turnTime(),
                       [](int time) { settings().setTurnTime(time); });
     form->note(tr("How long the view takes, while you draw, to turn to the new plane. With 0 it "
                   "jumps."));
-    form->wholeNumber("settingsTurnAngle", tr("Turn to"),
+    form->wholeNumber("settingsTurnAngle", tr("View turns by"),
                       {Settings::kMinTurnAngle, Settings::kMaxTurnAngle}, tr("°"),
                       settings().turnAngle(), [](int angle) { settings().setTurnAngle(angle); });
     form->note(tr("At 90° you look straight at the new plane. With less, the section that you "
                   "started on stays to be seen."));
-    form->choice("settingsNavigation", tr("Mouse as in"),
+    form->choice("settingsNavigation", tr("Mouse buttons like"),
                  {QStringLiteral("FlatFitFab"), QStringLiteral("Blender"),
                   QStringLiteral("FreeCAD"), QStringLiteral("Onshape")},
                  static_cast<int>(settings().navigation()),
@@ -251,7 +251,7 @@ QWidget *SettingsDialog::makeView()
 QWidget *SettingsDialog::makeChecks()
 {
     auto *form = new Form;
-    form->wholeNumber("settingsShallowAngle", tr("Warn of angles below"),
+    form->wholeNumber("settingsShallowAngle", tr("Warn about angles below"),
                       {Settings::kMinShallowAngle, Settings::kMaxShallowAngle}, tr("°"),
                       settings().shallowAngle(),
                       [](int angle) { settings().setShallowAngle(angle); });

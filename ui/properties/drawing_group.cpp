@@ -42,24 +42,25 @@ DrawingGroup::DrawingGroup(QWidget *parent) : PropertyGroup(tr("Drawing"), paren
                      tr("Mirror a contour across its slit when it is drawn on one side of it. "
                         "Shift switches that over while you draw."),
                      DrawingSwitch::Symmetry, this));
-    addRow(switchRow(tr("First section too"), "firstSymmetry",
-                     tr("Mirror the first section across the vertical through its start"),
+    addRow(switchRow(tr("Mirror the first"), "firstSymmetry",
+                     tr("Mirror the first section too, across the vertical through its start"),
                      DrawingSwitch::FirstSymmetry, this));
-    addRow(switchRow(tr("Flat at ground"), "cutAtGround",
-                     tr("Cut off what is drawn below the ground"), DrawingSwitch::Ground, this));
+    addRow(switchRow(tr("Cut at ground"), "cutAtGround",
+                     tr("Cut flat at the ground: leave out what is drawn below it"),
+                     DrawingSwitch::Ground, this));
     addRow(switchRow(tr("Snap"), "snap",
                      tr("Draw points to others, to lines level and upright with them, to the "
                         "ground and to the grid"),
                      DrawingSwitch::Snap, this));
     addRow(numberRow(
-        tr("Turn to"), "turnAngle",
+        tr("View turns by"), "turnAngle",
         tr("At 90° you look straight at the new plane; with less, the section that you started "
            "on stays to be seen"),
         {Settings::kMinTurnAngle, Settings::kMaxTurnAngle, 1.0, 0, 0}, tr("°"),
         [] { return settings().turnAngle(); }, [](int angle) { settings().setTurnAngle(angle); },
         this));
     addRow(numberRow(
-        tr("Turn time"), "turnTime",
+        tr("Turning time"), "turnTime",
         tr("How long the view takes to turn to the plane of a new section"),
         {0.0, Settings::kMaxTurnTime, 50.0, 0, 0}, tr("ms"), [] { return settings().turnTime(); },
         [](int time) { settings().setTurnTime(time); }, this));

@@ -62,7 +62,7 @@ void InstanceGroup::refresh()
     m_sourceRow->setVisible(!name.empty());
     m_sourceRow->setName(origin ? tr("Image of") : tr("Made from"));
     m_sourceRow->setToolTip(origin ? tr("What is done to one of them is done to all")
-                                   : tr("Draw it anew, and all that is made from it follows"));
+                                   : tr("Redraw it, and all that is made from it follows"));
     m_source->setTexts({QString::fromStdString(name)});
 }
 

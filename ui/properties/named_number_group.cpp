@@ -31,7 +31,8 @@ void refuse(QWidget *field, const QString &reason)
 } // namespace
 
 NamedNumberGroup::NamedNumberGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(NamedNumberGroupTexts::tr("Named values"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(NamedNumberGroupTexts::tr("Named values"), parent), m_bench(bench),
+      m_rows(*this)
 {
 }
 
@@ -108,7 +109,7 @@ void NamedNumberGroup::addNew()
             edit->clear();
     });
     m_rows.add(new EditorRow(
-        NamedNumberGroupTexts::tr("New"), "number.new", edit, [] {}, this));
+        NamedNumberGroupTexts::tr("Add"), "number.new", edit, [] {}, this));
 }
 
 void NamedNumberGroup::refresh()

@@ -109,7 +109,7 @@ void PlaceGroup::addParent()
         },
         this);
     m_pick = row->addButton(QStringLiteral("pick"), "sectionParentPick",
-                            PlaceGroupTexts::tr("Click another section that it shall be on"),
+                            PlaceGroupTexts::tr("Click another section to put it on"),
                             [this] { m_bench.run(QStringLiteral("section.putOn")); });
     m_off = row->addButton(QStringLiteral("close"), "sectionParentNone",
                            PlaceGroupTexts::tr("On no other section"), [this] {

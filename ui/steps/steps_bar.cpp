@@ -58,7 +58,7 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     m_time->setPageStep(kOfStep);
     m_time->setMinimumWidth(90);
     const QString apart = tr("Draw the parts apart");
-    m_apartLabel = new QLabel(tr("Apart"), this);
+    m_apartLabel = new QLabel(tr("Exploded"), this);
     m_apartLabel->setForegroundRole(QPalette::PlaceholderText);
     m_apartLabel->setToolTip(apart);
     m_apart = new QSlider(Qt::Horizontal, this);
