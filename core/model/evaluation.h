@@ -21,6 +21,7 @@ struct OperationNotice
         InputMissing, // it makes nothing; name: what the section was called, empty: none was chosen
         InputsApart,  // the sections do not meet where they have to; it makes nothing
         NothingFits,  // within its range nothing can be made
+        NothingToDo,  // its section is as it is to be; it stays so
         StoppedAtMost, // the number of sections that may be made was reached; count: that number
         LeftOut,       // count: of sections that could not be made
         Failed         // what it would make could not be worked out: the model is not whole

@@ -297,8 +297,10 @@ void make(OperationContext &context)
     if (!cells)
         return;
     GridMaker maker(context, *section, grid, *std::move(cells));
-    if (maker.cells().cells.size() < 2)
-        return; // it fits as it is
+    if (maker.cells().cells.size() < 2) { // it fits as it is
+        context.notice({OperationNotice::Kind::NothingToDo});
+        return;
+    }
     context.change(section->ref(), nullptr);
     if (context.choice("edge") == "jigsaw") {
         maker.openSeams();

@@ -66,6 +66,11 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
         //: %1 is the name of an operation
         return OperationNoticeTexts::tr("%1 makes nothing: there is no room within its range.")
             .arg(name);
+    case Kind::NothingToDo:
+        //: %1 is the name of an operation
+        return OperationNoticeTexts::tr(
+                   "%1 has nothing to divide: the section fits into a single cell.")
+            .arg(name);
     case Kind::Failed:
         //: %1 is the name of an operation
         return OperationNoticeTexts::tr("%1 could not be worked out: its sections are missing.")
@@ -102,7 +107,8 @@ int countOf(const OperationResult &result)
 bool isFailure(const OperationNotice &notice)
 {
     using Kind = OperationNotice::Kind;
-    return notice.kind != Kind::StoppedAtMost && notice.kind != Kind::LeftOut;
+    return notice.kind != Kind::StoppedAtMost && notice.kind != Kind::NothingToDo &&
+           notice.kind != Kind::LeftOut;
 }
 
 } // namespace fff

@@ -29,7 +29,8 @@ void OperationNotices::follow()
         for (const OperationNotice &notice : result->notices) {
             // What was left out is seen, and said where the operation is.
             const bool isWorth =
-                isFailure(notice) || notice.kind == OperationNotice::Kind::StoppedAtMost;
+                isFailure(notice) || notice.kind == OperationNotice::Kind::StoppedAtMost ||
+                notice.kind == OperationNotice::Kind::NothingToDo;
             const bool isNew =
                 known == m_known.end() ||
                 std::none_of(known->second.begin(), known->second.end(),
