@@ -105,15 +105,26 @@ void printNames(const char *text, const std::vector<std::string> &names)
         printError(tr(text).arg(joined(names)));
 }
 
+/// How wide it is drawn, and why narrower than it will be.
+QString slitText(const DrawnSlit &slit)
+{
+    const auto number = [](double mm) { return QString::number(mm, 'f', 2); };
+    return slit.kerf == 0.0
+               ? tr("Slits are drawn %1 mm wide.").arg(number(slit.width))
+               //: %2 is the width that is wanted, which is larger by the kerf %3
+               : tr("Slits are drawn %1 mm wide (%2 − %3 kerf).")
+                     .arg(number(slit.width), number(slit.width + slit.kerf), number(slit.kerf));
+}
+
 /// What was written, but cannot be put together, or not as it was meant.
 void printImpossible(const Analysis &analysis)
 {
     std::vector<std::string> names;
     for (const int section : sectionsWithoutPart(analysis.bodies))
         names.push_back(analysis.model.section(static_cast<std::size_t>(section))->name);
-    printNames(QT_TRANSLATE_NOOP("CommandLine", "Slits leave nothing of these, so they have no "
-                                                "part: %1"),
-               names);
+    printNames(
+        QT_TRANSLATE_NOOP("CommandLine", "Cut away completely by slits, so there is no part: %1"),
+        names);
     const ModelPlan plan = planOf(analysis, timeLimit(kPlanningTime));
     for (const Finding &finding : planChecks(analysis, plan))
         if (finding.severity == Severity::Error)
@@ -126,7 +137,8 @@ void printOlder(const Wish &wish, std::size_t count)
     for (const QString &file : io::olderFiles(wish.path, count, wish.format.suffix()))
         names += QFileInfo(file).fileName();
     if (!names.isEmpty())
-        printError(tr("Older sheets are still there: %1").arg(names.join(QStringLiteral(", "))));
+        printError(tr("Sheets of an earlier export are still there: %1")
+                       .arg(names.join(QStringLiteral(", "))));
 }
 
 int writeSolids(const Wish &wish, const Document &document, const QString &input)
@@ -167,10 +179,8 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
                        .arg(file->partCount)
                        .arg(file->sheetCount())
                        .arg(std::lround(100.0 * file->usedShare));
-    if (file->slitWidth)
-        made +=
-            u' ' +
-            tr("Narrowest slit as drawn: %1 mm.").arg(QString::number(*file->slitWidth, 'f', 2));
+    if (file->slit)
+        made += u' ' + slitText(*file->slit);
     printError(made);
     printNames(
         QT_TRANSLATE_NOOP("CommandLine", "Too large for the sheet, on sheets of their own: %1"),
@@ -195,7 +205,7 @@ void addOutputOptions(QCommandLineParser &parser)
                       tr("The file to write; - is standard output."),
                       QStringLiteral("OUT")});
     parser.addOption({QStringLiteral("format"),
-                      tr("%1, where the file's name does not tell.").arg(suffixes(QString())),
+                      tr("%1; needed if the file's name does not tell.").arg(suffixes(QString())),
                       QStringLiteral("KIND")});
     parser.addOption(
         {QStringLiteral("no-reference"), tr("Leaves out the 100 mm bar beside the sheets.")});
@@ -204,7 +214,7 @@ void addOutputOptions(QCommandLineParser &parser)
     parser.addOption(
         {QStringLiteral("spacing"), tr("Between neighbouring cuts (2)."), QStringLiteral("MM")});
     parser.addOption(
-        {QStringLiteral("no-turning"), tr("Quarter turns only, for sheets that have a grain.")});
+        {QStringLiteral("no-turning"), tr("Quarter turns only, for sheets with a grain.")});
     parser.addOption({QStringLiteral("sheets"),
                       tr("groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so "
                          "on (groups)."),
@@ -215,14 +225,14 @@ void addOutputOptions(QCommandLineParser &parser)
 QString whyNoOutput(const QCommandLineParser &parser)
 {
     if (!parser.isSet(QStringLiteral("output")))
-        return tr("-o is missing: the file to write.");
+        return tr("-o is missing: give the file to write.");
     const QString output = parser.value(QStringLiteral("output"));
     if (output.isEmpty())
         return tr("-o: a file needs a name.");
     if (output == QStringLiteral("-") && !parser.isSet(QStringLiteral("format")))
-        return tr("With -o - the kind is missing: --format %1.").arg(suffixes(QString()));
+        return tr("With -o - the format is missing: --format %1.").arg(suffixes(QString()));
     if (!formatOf(parser))
-        return tr("%1 is of no kind that can be written; expected %2.")
+        return tr("%1: this kind of file cannot be written; expected %2.")
             .arg(output, suffixes(QStringLiteral(".")));
     QString why;
     cuttingOptions(parser, why);

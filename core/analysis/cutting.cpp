@@ -29,9 +29,9 @@ void addOnce(std::vector<std::string> &names, std::string name)
 }
 
 /// The narrowest slit as it will be drawn. Errors  ClosedSlit when one would have no width.
-Result<std::optional<double>> narrowestDrawn(const Analysis &analysis, bool compensatesKerf)
+Result<std::optional<DrawnSlit>> narrowestDrawn(const Analysis &analysis, bool compensatesKerf)
 {
-    std::optional<double> least;
+    std::optional<DrawnSlit> least;
     for (std::size_t i = 0; i < analysis.assembly.slits.size(); ++i) {
         const double kerf = compensatesKerf ? analysis.model.stockOf(i).kerf : 0.0;
         for (const Slit &slit : analysis.assembly.slits[i]) {
@@ -42,7 +42,8 @@ Result<std::optional<double>> narrowestDrawn(const Analysis &analysis, bool comp
                 return failure(
                     ErrorCode::ClosedSlit, {},
                     {analysis.model.section(i)->name, millimetres(width), millimetres(kerf)});
-            least = std::min(width - kerf, least.value_or(width - kerf));
+            if (!least || width - kerf < least->width)
+                least = DrawnSlit{width - kerf, kerf};
         }
     }
     return least;
@@ -119,10 +120,10 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
             analysis.model.section(static_cast<std::size_t>(section))->name);
     cutting.partCount = static_cast<int>(parts.size());
     cutting.list = partList(parts, analysis.model);
-    const auto slitWidth = narrowestDrawn(analysis, options.compensatesKerf);
-    if (!slitWidth)
-        return tl::unexpected(slitWidth.error());
-    cutting.slitWidth = *slitWidth;
+    const auto slit = narrowestDrawn(analysis, options.compensatesKerf);
+    if (!slit)
+        return tl::unexpected(slit.error());
+    cutting.slit = *slit;
     std::vector<Engraving> engravings;
     for (const Part &part : parts) {
         const Section &section = *analysis.model.section(static_cast<std::size_t>(part.section));

@@ -19,6 +19,12 @@ struct CuttingOptions
     bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
 };
 
+/// The narrowest slit as it is drawn: the cutter takes the kerf off its walls again.
+struct DrawnSlit
+{
+    double width = 0.0, kerf = 0.0; // mm; what is cut is as wide as both together
+};
+
 struct Cutting
 {
     CuttingDrawing drawing;
@@ -29,8 +35,8 @@ struct Cutting
     std::vector<std::string> oversized;   // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
     std::vector<std::string> unmarkedJoints; // the same for the numbers of all its joints
-    std::vector<std::string> uncut;  // with a hole or a notch that is narrower than the kerf
-    std::optional<double> slitWidth; // mm, the narrowest slit as drawn, kerf taken off; of any
+    std::vector<std::string> uncut; // with a hole or a notch that is narrower than the kerf
+    std::optional<DrawnSlit> slit;  // of any
 
     int sheetCount() const { return static_cast<int>(drawing.sheets.size()); }
 };

@@ -507,14 +507,15 @@ void TestCli::sheetsAsFiles()
              3); // two parts, one of them with a hole
     QCOMPARE(width, QStringLiteral("112mm"));
 
-    QVERIFY(!written.err.contains("Older"));
+    QVERIFY(!written.err.contains("earlier"));
     // Wrong: who cuts all files that are there cuts sheets of another model.
     for (const char *name : {"cut-3.svg", "cut-12.svg", "cut-2024.svg", "cut-4.obj", "cut-x.svg"})
         QVERIFY(io::writeFile(path(name), "old"));
     const Run fewer = run(common + QStringList{path("cut.svg")});
     QCOMPARE(fewer.status, 0);
-    QVERIFY2(fewer.err.contains("Older sheets are still there: cut-3.svg, cut-12.svg\n"),
-             fewer.err);
+    QVERIFY2(
+        fewer.err.contains("Sheets of an earlier export are still there: cut-3.svg, cut-12.svg\n"),
+        fewer.err);
     QCOMPARE(*io::readFile(path("cut-3.svg")), std::string("old"));
 
     // A folder in the way of the second: the first keeps what it had.
@@ -541,7 +542,7 @@ void TestCli::whatCannotBeMadeIsSaid()
     };
     const Run some = exported(withAStripOfSlits());
     QCOMPARE(some.status, 0);
-    QVERIFY2(some.err.contains("Slits leave nothing of these, so they have no part: Section 1\n"),
+    QVERIFY2(some.err.contains("Cut away completely by slits, so there is no part: Section 1\n"),
              some.err);
     QVERIFY(QFile::exists(path("out.svg")));
 

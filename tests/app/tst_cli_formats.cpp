@@ -52,8 +52,8 @@ void TestCliFormats::whatHelpSays()
              QStringLiteral("replay SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
     const VerbRun help = run({u"export"_s, u"--help"_s});
-    QVERIFY(help.out.contains("svg, obj or fff, where the file's name does not tell."));
-    QVERIFY(help.out.contains("Millimetres a unit of a FlatFab file (25.4)."));
+    QVERIFY(help.out.contains("svg, obj or fff; needed if the file's name does not tell."));
+    QVERIFY(help.out.contains("Millimetres per unit of a FlatFab file (25.4)."));
 }
 
 void TestCliFormats::anAddedFormatIsInHelp()
@@ -72,8 +72,9 @@ void TestCliFormats::anAddedFormatIsInHelp()
     QVERIFY(help.out.contains("Knots in a row (7)."));
     const VerbRun wrong = run({u"export"_s, put("a.fff", "knots 2")}, "a.xyz");
     QCOMPARE(wrong.status, int(cli::WrongUse));
-    QVERIFY(wrong.err.contains("a.xyz is of no kind that can be written; expected .svg, .obj, .fff "
-                               "or .knots."));
+    QVERIFY(
+        wrong.err.contains("a.xyz: this kind of file cannot be written; expected .svg, .obj, .fff "
+                           "or .knots."));
 }
 
 void TestCliFormats::anAddedFormatIsReadAndWritten()

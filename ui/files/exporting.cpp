@@ -217,10 +217,19 @@ void Exporting::tellDone(const io::CuttingFile &file, const QString &name)
 {
     const QString parts = partCountText(file.partCount);
     const QString sheets = sheetCountText(file.sheetCount());
-    m_status.say(file.slitWidth ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
-                                      .arg(parts, sheets, name,
-                                           lengthText(*file.slitWidth, 2, 3, m_window.locale()))
-                                : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
+    if (!file.slit) {
+        m_status.say(tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
+        return;
+    }
+    const auto number = [this](double mm) { return lengthNumber(mm, 2, 3, m_window.locale()); };
+    const auto [width, kerf] = *file.slit;
+    const QString drawn = lengthText(width, 2, 3, m_window.locale());
+    m_status.say(kerf == 0.0
+                     ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
+                           .arg(parts, sheets, name, drawn)
+                     //: %4 is a length, %5 the width that is wanted, which is larger by the kerf %6
+                     : tr("Exported %1 on %2 to %3; slits are drawn %4 wide (%5 − %6 kerf).")
+                           .arg(parts, sheets, name, drawn, number(width + kerf), number(kerf)));
 }
 
 bool Exporting::writeSolids(const QString &path, const ExportKind &kind)
@@ -277,10 +286,9 @@ QStringList Exporting::olderSheets(const QString &path, std::size_t count, const
     QStringList names;
     for (const QString &file : io::olderFiles(path, count, suffix))
         names += QFileInfo(file).fileName();
-    return names.isEmpty()
-               ? QStringList()
-               : QStringList{
-                     tr("Older sheets are still there: %1.").arg(names.join(QStringLiteral(", ")))};
+    return names.isEmpty() ? QStringList()
+                           : QStringList{tr("Sheets of an earlier export are still there: %1.")
+                                             .arg(names.join(QStringLiteral(", ")))};
 }
 
 QStringList Exporting::warningsOf(const io::CuttingFile &file)

@@ -297,7 +297,7 @@ void TestWindows::aChangeByAnotherProgramIsAskedAbout_data()
 {
     QTest::addColumn<QString>("button");
     QTest::addColumn<bool>("isSaved");
-    QTest::newRow("saved over it") << QStringLiteral("Save over it") << true;
+    QTest::newRow("saved over it") << QStringLiteral("Overwrite") << true;
     QTest::newRow("left as it is") << QStringLiteral("Cancel") << false;
 }
 
@@ -470,7 +470,7 @@ void TestWindows::sheetsHaveAFileEach()
     answer(QStringLiteral("Replace"), &asked);
     QVERIFY(m_window->files().exportSheets(file("a.svg")));
     QVERIFY2(messagesOf(*m_window)->text().contains(
-                 QStringLiteral("Older sheets are still there: a-3.svg.")),
+                 QStringLiteral("Sheets of an earlier export are still there: a-3.svg.")),
              qPrintable(messagesOf(*m_window)->text()));
     QCOMPARE(io::readFile(file("a-3.svg")).value(), std::string("older"));
 }
