@@ -1,10 +1,12 @@
 #include "app/cli/command_line.h"
 
 #include "core/io/error_text.h"
+#include "core/io/warning_summary.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <array>
 #include <cmath>
@@ -24,10 +26,11 @@ constexpr std::array kVerbs = {
                           "Whether it holds together, stands, can be assembled and fits the sheet"),
         runCheck},
     Verb{"simulate", "FILE [--json] [--accurate] [--weight NAME[@X,Y]=MASS] [options]",
-         QT_TRANSLATE_NOOP("CommandLine", "Whether it holds: forces, stresses and what it bears"),
+         QT_TRANSLATE_NOOP("CommandLine",
+                           "Whether it is strong enough: forces, stress and what it can hold"),
          runSimulate},
     Verb{"parts", "FILE [--json] [--tolerance MM] [options]",
-         QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
+         QT_TRANSLATE_NOOP("CommandLine", "The parts to cut, in each section's own coordinates"),
          runParts},
     Verb{"export", "FILE -o OUT.{%1} [options]", nullptr, runExport},
 #ifdef FFF_HAS_VIEW
@@ -38,11 +41,11 @@ constexpr std::array kVerbs = {
          runSteps},
 #endif
     Verb{"operations", "[FILE] [--json] [options]",
-         QT_TRANSLATE_NOOP("CommandLine",
-                           "The procedural operations that there are, or those of a model"),
+         QT_TRANSLATE_NOOP("CommandLine", "All kinds of operations, or the operations of a model"),
          runOperations},
     Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{%1} [options]",
-         QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay, true},
+         QT_TRANSLATE_NOOP("CommandLine", "Plays a script of what a person does in the window"),
+         runReplay, true},
 };
 
 QString tr(const char *text)
@@ -75,9 +78,10 @@ std::optional<int> applyStock(Document &document, const QString &name, const Ver
 {
     const std::optional<Stock> stock = stockNamed(document, name);
     if (!stock)
-        return wrongUse(verb, tr("There is no stock \"%1\". Known are those of the file, Birch "
-                                 "plywood and Acrylic.")
-                                  .arg(name));
+        return wrongUse(
+            verb,
+            tr("There is no stock \"%1\". Choose one from the file, Birch plywood or Acrylic.")
+                .arg(name));
     StockId id = stock->id;
     if (!document.find(id) || !(*document.find(id) == *stock)) {
         document = *addStock(std::move(document), *stock);
@@ -101,9 +105,10 @@ QString whyNotStock(const std::string &field, const Stock &stock, const Document
 {
     const QString name = QString::fromStdString(stock.name);
     if (field == "clearance" && !options.clearance)
-        return tr("--thickness %1 leaves no slit in the stock %2: its clearance is %3 mm.")
+        return tr("--thickness %1 leaves no room for slits in the stock %2: its clearance is %3 "
+                  "mm.")
             .arg(QString::number(stock.thickness), name, QString::number(stock.clearance));
-    return tr("--%1 does not go with the stock %2, %3 mm thick.")
+    return tr("--%1 does not fit the stock %2, which is %3 mm thick.")
         .arg(QString::fromStdString(field), name, QString::number(stock.thickness));
 }
 
@@ -197,7 +202,7 @@ Arguments parse(QCommandLineParser &parser, const Verb &verb, const QStringList 
     }
     const QStringList found = parser.positionalArguments();
     if (found.size() != files)
-        return {wrongUse(verb, found.size() < files ? tr("A file is missing.")
+        return {wrongUse(verb, found.size() < files ? tr("No file was given.")
                                                     : tr("Too many files: %1").arg(found.last())),
                 {}};
     return {std::nullopt, found};
@@ -211,9 +216,11 @@ void addDocumentOptions(QCommandLineParser &parser)
     add("thickness", tr("Thickness of every stock."), "MM");
     add("stock", tr("Cuts every section from this stock."), "NAME");
     add("kerf", tr("Full width that the machine removes."), "MM");
-    add("clearance", tr("Play added to slits; negative presses."), "MM");
+    add("clearance", tr("Play added to slits; less than 0 for a press fit."), "MM");
     add("sheet", tr("Size of a sheet, such as 600x400."), "WxH");
     addFormatOptions(parser, io::FormatOption::Of::Reading);
+    parser.addOption({QStringLiteral("verbose"),
+                      tr("Says of each thing in the file that was corrected where.")});
 }
 
 void addFormatOptions(QCommandLineParser &parser, io::FormatOption::Of of)
@@ -279,6 +286,7 @@ std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser,
     }
     if (parser.isSet(QStringLiteral("stock")))
         options.stock = parser.value(QStringLiteral("stock"));
+    options.isVerbose = parser.isSet(QStringLiteral("verbose"));
     return status ? std::nullopt : std::optional(options);
 }
 
@@ -313,8 +321,12 @@ Loaded load(const QString &file, const DocumentOptions &options, const Verb &ver
         loaded.status = report(read.error());
         return loaded;
     }
-    for (const Warning &warning : read->warnings)
-        printError(io::warningText(warning));
+    //: %1 is a file's name, %2 a sentence about what is in it
+    for (const QString &sentence : io::warningSummary(read->warnings))
+        printError(tr("%1: %2").arg(QFileInfo(file).fileName(), sentence));
+    if (options.isVerbose)
+        for (const QString &line : io::warningLines(read->warnings))
+            printError(line);
     loaded.warnings = std::move(read->warnings);
     loaded.document = std::move(read->document);
     loaded.format = read->format->key;

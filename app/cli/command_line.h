@@ -62,7 +62,7 @@ QString usageOf(const Verb &verb);
 QString purposeOf(const Verb &verb);
 
 /// --thickness, --stock, --kerf, --clearance, --sheet: they override the document for this run; and
-/// what readers may be told (core/io/formats.h).
+/// what readers may be told (core/io/formats.h), and --verbose.
 void addDocumentOptions(QCommandLineParser &parser);
 
 /// Their values, as asked for.
@@ -72,13 +72,14 @@ struct DocumentOptions
     std::optional<Vec2> sheet;                        // mm
     std::optional<QString> stock;
     io::FormatValues reading; // of the formats' options
+    bool isVerbose = false;   // each warning of the reader with its line, not only what they mean
 };
 /// Nothing, and `status` to return, when one makes no sense; the reason was printed.
 std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser, const Verb &verb,
                                                std::optional<int> &status);
 
 /// A document read with its options applied, or the status to return after the reason was printed.
-/// Warnings of the reader go to standard error.
+/// What the reader mended is said on standard error.
 struct Loaded
 {
     std::optional<int> status;

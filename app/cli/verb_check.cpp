@@ -3,8 +3,8 @@
 #include "core/analysis/checks.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/plan_checks.h"
-#include "core/io/error_text.h"
 #include "core/io/json_writer.h"
+#include "core/io/warning_summary.h"
 #include "core/session/finding_text.h"
 
 #include <algorithm>
@@ -52,12 +52,10 @@ std::vector<Problem> problemsOf(const std::vector<Warning> &warnings)
         const bool crosses = warning.code == WarningCode::SelfCrossingContour;
         Problem problem{crosses ? QStringLiteral("selfCrossing") : QStringLiteral("mended"),
                         crosses ? QStringLiteral("warning") : QStringLiteral("note"),
-                        io::warningSentence(warning),
+                        io::wholeSentence(warning),
                         {},
                         std::nullopt,
                         false};
-        if (!problem.text.isEmpty())
-            problem.text = problem.text.left(1).toUpper() + problem.text.mid(1) + u'.';
         if (!warning.args.empty() && warning.code != WarningCode::TrailingLines)
             problem.sections.push_back(warning.args.front());
         problems.push_back(std::move(problem));
@@ -104,7 +102,7 @@ QStringList checksText(const std::vector<Finding> &found, const std::vector<Prob
             lines += findingText(finding, model);
     if (lines.isEmpty())
         lines += QCoreApplication::translate("CommandLine",
-                                             "Nothing to check: the model has no section.");
+                                             "Nothing to check: the model has no sections.");
     return lines;
 }
 

@@ -98,14 +98,13 @@ tl::unexpected<Error> tooMany(const std::string &place, std::uint64_t count, std
 
 constexpr const char *kBytes = QT_TRANSLATE_NOOP("Error", "bytes");
 constexpr const char *kEntries = QT_TRANSLATE_NOOP("Error", "entries");
-constexpr const char *kListDamaged =
-    QT_TRANSLATE_NOOP("Error", "the list of what is packed in it is damaged");
+constexpr const char *kListDamaged = QT_TRANSLATE_NOOP("Error", "its list of contents is damaged");
 constexpr const char *kDamaged = QT_TRANSLATE_NOOP("Error", "this entry is damaged");
 constexpr const char *kEncrypted = QT_TRANSLATE_NOOP("Error", "this entry is encrypted");
 
 /// What stands beside the archive would be gone with the next save.
 constexpr const char *kMoreThanPacked =
-    QT_TRANSLATE_NOOP("Error", "there is more in this file than what is packed in it");
+    QT_TRANSLATE_NOOP("Error", "there is more in this file than its contents");
 
 std::uint32_t numberAt(std::string_view bytes, std::size_t at)
 {
@@ -236,7 +235,7 @@ Result<void> Unpacker::check() const
     for (const Listed &entry : m_entries) {
         const std::string place = entry.in(m_place);
         if (!known.insert(entry.name).second)
-            return bad(place, QT_TRANSLATE_NOOP("Error", "this entry is there twice"));
+            return bad(place, QT_TRANSLATE_NOOP("Error", "this entry occurs twice"));
         if (entry.info.flag & 1)
             return bad(place, kEncrypted);
         // Sizes of 64 bits, which minizip reads on some systems only.
@@ -244,9 +243,7 @@ Result<void> Unpacker::check() const
         const bool is64 = entry.info.compressed_size == k64 || entry.info.uncompressed_size == k64;
         if (is64 ||
             (entry.info.compression_method != 0 && entry.info.compression_method != Z_DEFLATED))
-            return bad(place,
-                       QT_TRANSLATE_NOOP("Error", "this entry is packed in a way that is not "
-                                                  "known here"));
+            return bad(place, QT_TRANSLATE_NOOP("Error", "this entry is packed in an unknown way"));
         if (entry.info.uncompressed_size > kMostEntryBytes)
             return tooMany(place, entry.info.uncompressed_size, kMostEntryBytes, kBytes);
     }
@@ -272,9 +269,9 @@ Result<void> Unpacker::checkItself(const Listed &entry) const
     if (shortAt(bytes, head + 6) & 1)
         return bad(entry.in(m_place), kEncrypted);
     if (bytes.substr(head + kHeadSize, shortAt(bytes, head + 26)) != entry.name)
-        return bad(entry.in(m_place),
-                   QT_TRANSLATE_NOOP("Error", "this entry itself has another name than the list "
-                                              "of what is packed gives it"));
+        return bad(
+            entry.in(m_place),
+            QT_TRANSLATE_NOOP("Error", "this entry has another name than in the list of contents"));
     return {};
 }
 
@@ -323,9 +320,8 @@ Result<std::string> Unpacker::unpack(const Listed &entry)
         if (m_unpacked > kMostUnpackedBytes)
             return tooMany(m_place, m_unpacked, kMostUnpackedBytes, kBytes);
         if (isTooDense(text.size(), entry.info.compressed_size))
-            return bad(
-                entry.in(m_place),
-                QT_TRANSLATE_NOOP("Error", "a few bytes of this entry stand for far too many"));
+            return bad(entry.in(m_place),
+                       QT_TRANSLATE_NOOP("Error", "this entry unpacks to far too much"));
     }
     // Closing it says whether the check sum is right.
     const bool isWhole = unzCloseCurrentFile(m_file.get()) == UNZ_OK && count == 0 &&

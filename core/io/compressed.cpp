@@ -34,7 +34,7 @@ Result<std::string> uncompressed(std::string_view bytes, std::size_t most, const
     const std::unique_ptr<z_stream, End> stream(new z_stream{});
     const auto damaged = [&place] {
         return failure(ErrorCode::BadSyntax, place,
-                       {"", QT_TRANSLATE_NOOP("Error", "data packed with gzip, undamaged")});
+                       {"", QT_TRANSLATE_NOOP("Error", "undamaged gzip data")});
     };
     if (inflateInit2(stream.get(), kGzip) != Z_OK)
         return damaged();
@@ -59,7 +59,7 @@ Result<std::string> uncompressed(std::string_view bytes, std::size_t most, const
         state = inflate(stream.get(), Z_NO_FLUSH);
         if (state == Z_BUF_ERROR)
             return failure(ErrorCode::Truncated, place,
-                           {QT_TRANSLATE_NOOP("Error", "the rest of what is packed with gzip")});
+                           {QT_TRANSLATE_NOOP("Error", "the rest of the gzip data")});
         if (state != Z_OK && state != Z_STREAM_END)
             return damaged();
         text.append(chunk, 0, chunk.size() - stream->avail_out);

@@ -32,9 +32,9 @@ QString phrase(const Args &args, std::size_t index)
 QString foundExpected(const Args &args)
 {
     if (args.size() < 2)
-        return ErrorTexts::tr("this value is not possible here");
+        return ErrorTexts::tr("this value is not allowed here");
     if (args[0].empty())
-        return ErrorTexts::tr("nothing here, expected %1").arg(phrase(args, 1));
+        return ErrorTexts::tr("found nothing, expected %1").arg(phrase(args, 1));
     return ErrorTexts::tr("found \"%1\", expected %2").arg(verbatim(args, 0), phrase(args, 1));
 }
 
@@ -49,7 +49,7 @@ QString withReason(const QString &sentence, const Args &args)
 QString badCount(const Args &args)
 {
     if (args.size() < 2)
-        return ErrorTexts::tr("a count that is not possible");
+        return ErrorTexts::tr("this count is not possible");
     if (args.size() < 3)
         return ErrorTexts::tr("found a count of %1, expected at most %2")
             .arg(verbatim(args, 0), verbatim(args, 1));
@@ -76,8 +76,9 @@ QString newerVersion(const Args &args)
 QString badContour(const Args &args)
 {
     if (args.size() < 2)
-        return ErrorTexts::tr("these control points make no closed contour");
-    return ErrorTexts::tr("these control points make no closed contour: found %1, expected %2")
+        return ErrorTexts::tr("these control points do not form a closed contour");
+    return ErrorTexts::tr(
+               "these control points do not form a closed contour: found %1, expected %2")
         .arg(verbatim(args, 0), phrase(args, 1));
 }
 
@@ -90,10 +91,10 @@ QString millimetres(const Args &args, std::size_t index)
 QString cannotOffset(const Args &args)
 {
     if (args.size() < 2)
-        return ErrorTexts::tr("no path runs round this outline at half the kerf everywhere");
+        return ErrorTexts::tr("no path can follow this outline at half the kerf all the way round");
     return ErrorTexts::tr(
-               "no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is "
-               "finest in its contour, or give its stock another kerf")
+               "no path can follow %1 at half the kerf of %2 mm all the way round; smooth the "
+               "finest details of its contour, or give its stock another kerf")
         .arg(verbatim(args, 0), millimetres(args, 1));
 }
 
@@ -152,24 +153,24 @@ QString errorSentence(const Error &error)
         return badCount(args);
     case ErrorCode::DegenerateFrame:
         return ErrorTexts::tr(
-            "these axes make no frame, expected two of length 1 at a right angle");
+            "these axes do not form a frame, expected two of length 1 at a right angle");
     case ErrorCode::EmptyContour:
         return ErrorTexts::tr("this contour encloses no area");
     case ErrorCode::BadContour:
         return badContour(args);
     case ErrorCode::UnknownReference:
         return hasArg ? ErrorTexts::tr("there is nothing with the number %1").arg(verbatim(args, 0))
-                      : ErrorTexts::tr("this refers to nothing that is there");
+                      : ErrorTexts::tr("this refers to something that does not exist");
     case ErrorCode::DuplicateId:
-        return hasArg ? ErrorTexts::tr("the number %1 is given twice, expected one of its own")
+        return hasArg ? ErrorTexts::tr("the number %1 is used twice, expected one of its own")
                             .arg(verbatim(args, 0))
-                      : ErrorTexts::tr("this number is given twice, expected one of its own");
+                      : ErrorTexts::tr("this number is used twice, expected one of its own");
     case ErrorCode::NearlyParallel:
         return ErrorTexts::tr("these two sections are nearly parallel and cannot be joined");
     case ErrorCode::SelfCrossing:
         return ErrorTexts::tr("this contour crosses itself");
     case ErrorCode::BoundariesMeet:
-        return ErrorTexts::tr("a hole would not lie inside the contour by itself");
+        return ErrorTexts::tr("a hole would touch the edge or another hole");
     case ErrorCode::TooFewPoints:
         return ErrorTexts::tr("too few points would be left to enclose anything");
     case ErrorCode::CannotOffset:
@@ -202,9 +203,9 @@ QString errorSentence(const Error &error)
         return ofSection(args, ErrorTexts::tr("the solid of \"%1\" could not be worked out"),
                          ErrorTexts::tr("a solid could not be worked out"));
     case ErrorCode::MarksNotCut:
-        return ofSection(
-            args, ErrorTexts::tr("what is drawn on \"%1\" could not be cut off at its edge"),
-            ErrorTexts::tr("what is drawn on a section could not be cut off at its edge"));
+        return ofSection(args,
+                         ErrorTexts::tr("the marks on \"%1\" could not be trimmed at its edge"),
+                         ErrorTexts::tr("the marks on a section could not be trimmed at its edge"));
     case ErrorCode::OperationFailed:
         return ofSection(
             args, ErrorTexts::tr("the sections of the operation \"%1\" could not be worked out"),
@@ -216,7 +217,7 @@ QString errorSentence(const Error &error)
     case ErrorCode::Cancelled:
         return ErrorTexts::tr("it was stopped");
     case ErrorCode::BadArchive:
-        return hasArg ? phrase(args, 0) : ErrorTexts::tr("what is packed in this file is damaged");
+        return hasArg ? phrase(args, 0) : ErrorTexts::tr("the contents of this file are damaged");
     }
     return {}; // not reached: every code is above
 }
@@ -226,33 +227,26 @@ QString warningSentence(const Warning &warning)
     const Args &args = warning.args;
     switch (warning.code) {
     case WarningCode::SkewFrame:
-        return ofSection(
-            args,
-            ErrorTexts::tr("the axes of %1 were not at right angles or not of length "
-                           "1 and have been straightened"),
-            ErrorTexts::tr("the axes of a frame were not at right angles or not of length "
-                           "1 and have been straightened"));
+        return ofSection(args, ErrorTexts::tr("%1 was slightly skewed and has been straightened"),
+                         ErrorTexts::tr("a section was slightly skewed and has been straightened"));
     case WarningCode::SelfCrossingContour:
-        return ofSection(args,
-                         ErrorTexts::tr("a contour of %1 crosses itself; its largest region was "
-                                        "kept"),
-                         ErrorTexts::tr("a contour crosses itself; its largest region was kept"));
+        return ofSection(
+            args, ErrorTexts::tr("the contour of %1 crosses itself; its largest loop was kept"),
+            ErrorTexts::tr("a contour crosses itself; its largest loop was kept"));
     case WarningCode::HoleOutside:
         return ofSection(args,
-                         ErrorTexts::tr("a hole of %1 reaches out of its contour and was left out"),
-                         ErrorTexts::tr("a hole reaches out of its contour and was left out"));
+                         ErrorTexts::tr("a hole of %1 reaches beyond its contour and was left out"),
+                         ErrorTexts::tr("a hole reaches beyond its contour and was left out"));
     case WarningCode::DegenerateHole:
         return ofSection(args, ErrorTexts::tr("a hole of %1 has no area and was left out"),
                          ErrorTexts::tr("a hole has no area and was left out"));
     case WarningCode::MergedHoles:
-        return ofSection(args, ErrorTexts::tr("holes of %1 overlap and were made one"),
-                         ErrorTexts::tr("holes overlap and were made one"));
+        return ofSection(args, ErrorTexts::tr("holes of %1 overlap and were merged into one"),
+                         ErrorTexts::tr("holes overlap and were merged into one"));
     case WarningCode::NotchedContour:
         return ofSection(
-            args,
-            ErrorTexts::tr("a hole of %1 reaches out of its contour and was made a notch "
-                           "of it"),
-            ErrorTexts::tr("a hole reaches out of its contour and was made a notch of it"));
+            args, ErrorTexts::tr("a hole of %1 reaches beyond its contour and was cut out of it"),
+            ErrorTexts::tr("a hole reaches beyond its contour and was cut out of it"));
     case WarningCode::TrailingLines:
         return args.empty() ? ErrorTexts::tr("lines after the last section were ignored")
                             : ErrorTexts::tr("text after the last section was ignored, lines: %1")
@@ -261,7 +255,7 @@ QString warningSentence(const Warning &warning)
         return args.size() < 2
                    ? ofSection(args, ErrorTexts::tr("%1 could not be read and was left out"),
                                ErrorTexts::tr("a picture or a mesh was left out"))
-                   //: %2 is a reason such as "its bytes are missing"
+                   //: %2 is a reason such as "its data is missing"
                    : ErrorTexts::tr("%1 was left out: %2").arg(verbatim(args, 0), phrase(args, 1));
     }
     return {}; // not reached: every code is above

@@ -72,9 +72,10 @@ MarkPointer readMark(const JsonCursor &cursor)
         if (path)
             mark->paths.push_back(*std::move(path));
         else
-            item.fail(path.error().code,
-                      {std::to_string(count),
-                       QT_TRANSLATE_NOOP("Error", "three control points a segment and one")});
+            item.fail(
+                path.error().code,
+                {std::to_string(count),
+                 QT_TRANSLATE_NOOP("Error", "three control points per segment and one more")});
     }
     if (mark->paths.empty())
         paths.failExpected(QT_TRANSLATE_NOOP("Error", "at least one line"));

@@ -19,8 +19,7 @@ Result<BlobBytes> bytesFrom(const BlobSource &source, const std::string &sha256)
 {
     if (source)
         return source(sha256);
-    return failure(ErrorCode::BadArchive, {},
-                   {QT_TRANSLATE_NOOP("Error", "its bytes are missing")});
+    return failure(ErrorCode::BadArchive, {}, {QT_TRANSLATE_NOOP("Error", "its data is missing")});
 }
 
 } // namespace

@@ -49,8 +49,9 @@ Result<void> checkNames(std::string_view bytes, const std::string &name)
     if (std::none_of(names->begin(), names->end(), belongs))
         return failure(ErrorCode::NotAModel, name);
     if (foreign != names->end())
-        return failure(ErrorCode::BadArchive, placeOfEntry(name, *foreign),
-                       {QT_TRANSLATE_NOOP("Error", "an entry of this name has no place here")});
+        return failure(
+            ErrorCode::BadArchive, placeOfEntry(name, *foreign),
+            {QT_TRANSLATE_NOOP("Error", "an entry with this name does not belong here")});
     return {};
 }
 
@@ -74,8 +75,8 @@ Result<Content> contentOf(std::string_view bytes, const std::string &name)
         std::string hash = entry.name.substr(kBlobs.size());
         if (sha256Of(entry.bytes) != hash)
             return bad(name, entry.name,
-                       QT_TRANSLATE_NOOP("Error", "this entry is not what its name, a SHA-256, "
-                                                  "says"));
+                       QT_TRANSLATE_NOOP(
+                           "Error", "the data of this entry does not match its name, a SHA-256"));
         content.blobs.emplace(std::move(hash),
                               std::make_shared<const std::string>(std::move(entry.bytes)));
     }

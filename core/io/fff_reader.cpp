@@ -171,7 +171,7 @@ Contour FffReader::readContour(const JsonCursor &cursor)
         return *std::move(contour);
     cursor.fail(contour.error().code,
                 {std::to_string(count),
-                 QT_TRANSLATE_NOOP("Error", "three control points a segment, at least 6")});
+                 QT_TRANSLATE_NOOP("Error", "three control points per segment, at least 6")});
     return {};
 }
 

@@ -208,7 +208,7 @@ const Format &flatfabFormat()
         .options = {{.name = kUnit,
                      .value = "MM",
                      .help = QT_TRANSLATE_NOOP("CommandLine",
-                                               "Millimetres a unit of a FlatFab file (25.4)."),
+                                               "Millimetres per unit of a FlatFab file (25.4)."),
                      .least = kSmallestUnit,
                      .most = kMaxCoordinate,
                      .of = FormatOption::Of::Reading}},

@@ -205,8 +205,8 @@ FlatfabCurve FlatfabParser::curve(const Line &first)
     if (!m_problems.failed() && (points < kMinControlPoints || points % 3 != 1))
         fail(ErrorCode::BadContour, line.number,
              {std::to_string(points),
-              QT_TRANSLATE_NOOP("Error", "three control points a segment and the first again, "
-                                         "at least 7")});
+              QT_TRANSLATE_NOOP(
+                  "Error", "three control points per segment and the first again, at least 7")});
     if (m_problems.failed())
         return curve;
     curve.points.reserve(reservable(points, kMinPointBytes));

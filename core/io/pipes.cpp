@@ -75,7 +75,7 @@ Result<std::string> readPipe(const QString &path, std::int64_t most, const std::
             wasWaitedFor = true;
             if (pipe.wait(kForWriter) == 0)
                 return cannot(place, QLatin1String(QT_TRANSLATE_NOOP(
-                                         "Error", "nothing writes into this pipe")));
+                                         "Error", "nothing is writing to this pipe")));
         } else if (errno == EAGAIN) {
             if (pipe.wait(kForMore) == 0)
                 return cannot(place, QLatin1String(QT_TRANSLATE_NOOP(
@@ -98,9 +98,9 @@ Result<void> openForWriting(const QString &path, QFile &file)
         ::usleep(kBetweenTries);
     if (number < 0)
         return failure(ErrorCode::CannotWrite, path.toStdString(),
-                       {errno == ENXIO
-                            ? std::string(QT_TRANSLATE_NOOP("Error", "nothing reads this pipe"))
-                            : qt_error_string(errno).toStdString()});
+                       {errno == ENXIO ? std::string(QT_TRANSLATE_NOOP(
+                                             "Error", "nothing is reading from this pipe"))
+                                       : qt_error_string(errno).toStdString()});
     ::fcntl(number, F_SETFL, ::fcntl(number, F_GETFL) & ~O_NONBLOCK);
     if (!file.open(number, QIODevice::WriteOnly | QIODevice::Unbuffered,
                    QFileDevice::AutoCloseHandle))

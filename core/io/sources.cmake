@@ -34,4 +34,5 @@ target_sources(fff_io PRIVATE
     svg_source.cpp
     svg_values.cpp
     svg_writer.cpp
+    warning_summary.cpp
 )

@@ -53,10 +53,10 @@ io::BlobSource slotBlobs(const QString &folder)
         Result<std::string> bytes = io::readFile(pathOf(folder, sha256));
         if (!bytes)
             return failure(ErrorCode::BadArchive, {},
-                           {QT_TRANSLATE_NOOP("Error", "its bytes are missing")});
+                           {QT_TRANSLATE_NOOP("Error", "its data is missing")});
         if (io::sha256Of(*bytes) != sha256)
             return failure(ErrorCode::BadArchive, {},
-                           {QT_TRANSLATE_NOOP("Error", "its bytes are damaged")});
+                           {QT_TRANSLATE_NOOP("Error", "its data is damaged")});
         return std::make_shared<const std::string>(*std::move(bytes));
     };
 }

@@ -55,6 +55,7 @@ private Q_SLOTS:
     void aPipeWithoutAWriterIsGivenUp_data();
     void aPipeWithoutAWriterIsGivenUp();
     void endlessFilesEnd();
+    void whatWasStraightenedIsOneSentence();
     void anEmptyNameIsOneLine_data();
     void anEmptyNameIsOneLine();
     void anEmptyOutputIsOneLine();
@@ -183,6 +184,31 @@ void TestCliInput::endlessFilesEnd()
 #endif
 }
 
+// Wrong: eight lines of numbers before anything of the model is said, or no way to see them.
+void TestCliInput::whatWasStraightenedIsOneSentence()
+{
+    QByteArray text = "HeaderParameters 1\nFlatFab 2\n";
+    for (const char *place : {"0", "40"}) {
+        text += QByteArray("P 0 ") + place +
+                " 0\nT 1 0 0\nN 0 0.6 0.8\nB 0 1 0\n"
+                "BoundaryCurves 1\nSketchPoints 0\nBezierPoints 13\n";
+        for (const char *point : {"0 0", "1 0", "2 0", "3 0", "3 1", "3 2", "3 3", "2 3", "1 3",
+                                  "0 3", "0 2", "0 1", "0 0"})
+            text += QByteArray(point) + '\n';
+    }
+    const QString file = written("skewed.txt", text);
+    const QByteArray sentence =
+        "skewed.txt: 2 sections were slightly skewed and have been straightened.\n";
+    const Run plain = run({QStringLiteral("info"), file});
+    QCOMPARE(plain.status, 0);
+    QCOMPARE(plain.err, sentence);
+    const Run verbose = run({QStringLiteral("info"), file, QStringLiteral("--verbose")});
+    QCOMPARE(verbose.out, plain.out);
+    QVERIFY2(verbose.err.startsWith(sentence), verbose.err);
+    QCOMPARE(verbose.err.count('\n'), 3);
+    QVERIFY2(verbose.err.contains("skewed.txt:3: Section 1 was slightly skewed"), verbose.err);
+}
+
 void TestCliInput::anEmptyNameIsOneLine_data()
 {
     aPipeWithoutAWriterIsGivenUp_data();
@@ -219,14 +245,14 @@ void TestCliInput::replayNamesTheDrawingAndItsLine_data()
     QTest::newRow("a broken path") << QByteArray("<svg>\n<path d=\"M0 0L1\"/></svg>")
                                    << QByteArray("bad.svg:2: found \"L1\", expected path data");
     QTest::newRow("no XML") << QByteArray("eggs")
-                            << QByteArray("bad.svg:1: nothing here, expected XML");
+                            << QByteArray("bad.svg:1: found nothing, expected XML");
     QTest::newRow("nothing in it")
         << QByteArray("<svg/>")
-        << QByteArray("bad.svg: nothing here, expected lines, shapes or paths");
+        << QByteArray("bad.svg: found nothing, expected lines, shapes or paths");
     QTest::newRow("text only")
         << QByteArray("<svg><text>words</text></svg>")
         << QByteArray(
-               "bad.svg: nothing here, expected lines; text must be turned into paths first");
+               "bad.svg: found nothing, expected lines; text must be turned into paths first");
 }
 
 // Wrong: the person would look for the mistake in the script.

@@ -72,13 +72,22 @@ void MessageBar::show(Severity severity, const QStringList &lines, std::vector<V
         shown += tr("And %n more.", nullptr, static_cast<int>(lines.size() - shown.size()));
     m_text->setText(shown.join(QLatin1Char('\n')));
     m_text->setToolTip(shown.size() < lines.size() ? lines.join(QLatin1Char('\n')) : QString());
-    m_details->setText(details);
+    m_details->setText(shortened(details));
     m_details->hide();
     m_unfold->setChecked(false);
     m_unfold->setVisible(!details.isEmpty());
     setVerbs(std::move(verbs));
     refresh();
     setVisible(!lines.isEmpty());
+}
+
+QString MessageBar::shortened(const QString &details)
+{
+    const QStringList lines = details.split(u'\n');
+    if (lines.size() <= kMaxDetails)
+        return details;
+    const auto left = static_cast<int>(lines.size() - kMaxDetails + 1);
+    return (lines.mid(0, kMaxDetails - 1) << tr("And %n more.", nullptr, left)).join(u'\n');
 }
 
 void MessageBar::showNext(Severity severity, const QStringList &lines, std::vector<Verb> verbs)

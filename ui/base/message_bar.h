@@ -31,7 +31,7 @@ public:
 
     /// Replaces what is shown; nothing is shown without lines. Several lines are several things; at
     /// most kMaxLines are shown, the last of them then says how many more there are. `details` is
-    /// the technical text, which a button unfolds.
+    /// the technical text, which a button unfolds, at most kMaxDetails lines of it.
     void show(Severity severity, const QStringList &lines, std::vector<Verb> verbs = {},
               const QString &details = {});
     /// The same, but what is shown now may be read first: this follows when it is closed.
@@ -41,9 +41,10 @@ public:
     QString text() const;
     QString details() const;
 
-    static constexpr int kMaxLines = 4;
+    static constexpr int kMaxLines = 4, kMaxDetails = 12;
 
 private:
+    static QString shortened(const QString &details);
     void close();
     void setVerbs(std::vector<Verb> verbs);
 

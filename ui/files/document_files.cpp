@@ -2,8 +2,8 @@
 
 #include "core/interaction/section_editing.h"
 #include "core/io/document_file.h"
-#include "core/io/error_text.h"
 #include "core/io/formats.h"
+#include "core/io/warning_summary.h"
 #include "core/session/journal.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/message_bar.h"
@@ -213,10 +213,8 @@ std::optional<io::LoadedDocument> DocumentFiles::read(const QString &path)
 
 void DocumentFiles::showWarnings(const io::LoadedDocument &loaded)
 {
-    QStringList warnings;
-    for (const Warning &warning : loaded.warnings)
-        warnings += io::warningText(warning);
-    m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
+    m_messages.show(MessageBar::Severity::Warning, io::warningSummary(loaded.warnings), {},
+                    io::warningLines(loaded.warnings).join(u'\n')); // hides without any
 }
 
 void DocumentFiles::show(const io::LoadedDocument &loaded, const QString &path, bool asCopy)
@@ -270,9 +268,9 @@ bool DocumentFiles::maySaveOver(const QString &path, bool *asksForName)
                          QMessageBox::NoButton, &m_window);
     question.setObjectName(QStringLiteral("changedOnDiskQuestion"));
     question.setPalette(theme().palette());
-    question.setInformativeText(tr("Saving over it would lose what was changed there."));
+    question.setInformativeText(tr("Overwriting it would lose those changes."));
     QPushButton *another = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
-    QPushButton *over = question.addButton(tr("Save over it"), QMessageBox::DestructiveRole);
+    QPushButton *over = question.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
     QPushButton *back = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
     question.setDefaultButton(another);
     question.setEscapeButton(back);

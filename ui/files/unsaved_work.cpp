@@ -1,6 +1,7 @@
 #include "ui/files/unsaved_work.h"
 
 #include "core/io/error_text.h"
+#include "core/io/warning_summary.h"
 #include "core/session/autosave.h"
 #include "core/session/unreadable_work.h"
 #include "ui/base/ago_text.h"
@@ -63,7 +64,7 @@ UnsavedWork::UnsavedWork(Workbench &bench, DocumentFiles &files, MessageBar &mes
     connect(m_autosave.get(), &Autosave::failed, this, [this](const Error &error) {
         m_messages.show(
             MessageBar::Severity::Warning,
-            {tr("Unsaved work cannot be kept for the case of a crash. Save it to be safe.")}, {},
+            {tr("Unsaved work cannot be backed up in case of a crash. Save it to be safe.")}, {},
             io::errorText(error));
     });
     follow();
@@ -89,15 +90,13 @@ bool UnsavedWork::adopt(const QString &id)
     if (!adopted) {
         m_messages.show(
             MessageBar::Severity::Error,
-            {tr("What was kept could not be opened: %1.").arg(io::errorSentence(adopted.error()))},
-            {}, io::errorText(adopted.error()));
+            {tr("The backup could not be opened: %1.").arg(io::errorSentence(adopted.error()))}, {},
+            io::errorText(adopted.error()));
         return false;
     }
     m_files.showRecovered(entry->originalPath, entry->name, entry->time);
-    QStringList warnings;
-    for (const Warning &warning : *adopted)
-        warnings += io::warningText(warning);
-    m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
+    m_messages.show(MessageBar::Severity::Warning, io::warningSummary(*adopted), {},
+                    io::warningLines(*adopted).join(u'\n')); // hides without any
     return true;
 }
 

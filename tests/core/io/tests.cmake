@@ -12,6 +12,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore TESTS
     core/io/tst_obj_writer
     core/io/tst_svg_reader
     core/io/tst_svg_writer
+    core/io/tst_warning_summary
     ALONE
         core/io/tst_flatfab_models)
 

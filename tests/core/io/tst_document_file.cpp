@@ -191,7 +191,7 @@ void TestDocumentFile::aPipeThatNobodyWritesIntoIsGivenUp()
     const Result<std::string> read = io::readFile(path, "pipe");
     QVERIFY(!read);
     QCOMPARE(io::errorText(read.error()),
-             QStringLiteral("pipe: could not be opened: nothing writes into this pipe"));
+             QStringLiteral("pipe: could not be opened: nothing is writing to this pipe"));
 #endif
 }
 
@@ -205,7 +205,7 @@ void TestDocumentFile::aPipeThatNobodyReadsIsGivenUp()
     const Result<void> written = io::writeFile(path, "x");
     QVERIFY(!written);
     QCOMPARE(io::errorSentence(written.error()),
-             QStringLiteral("could not be written: nothing reads this pipe"));
+             QStringLiteral("could not be written: nothing is reading from this pipe"));
 #endif
 }
 

@@ -32,9 +32,9 @@ void TestErrorText::sentences_data()
     row("bad value", {BadValue, "a.fff:$.sections[3].name", {"7", "a text"}},
         "a.fff:$.sections[3].name: found \"7\", expected a text");
     row("missing value", {BadValue, "a.fff:$.nextId", {"", "a whole number"}},
-        "a.fff:$.nextId: nothing here, expected a whole number");
+        "a.fff:$.nextId: found nothing, expected a whole number");
     row("value without a word", {BadValue, "thickness", {}},
-        "thickness: this value is not possible here");
+        "thickness: this value is not allowed here");
     row("no place", {NothingToExport, "", {}},
         "there is no section yet, so there is nothing to cut");
     row("slits leave nothing", {NothingToExport, "a.fff", {"Rib"}},

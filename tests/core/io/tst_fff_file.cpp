@@ -232,7 +232,7 @@ void TestFffFile::textAloneIsNotHalfRead()
     QCOMPARE(refused.error().place, "a.fff:" + nameOf("bytes"));
     // Of what a crash left, all that can be had is more than nothing.
     const io::BlobSource none = [](const std::string &) {
-        return failure(ErrorCode::BadArchive, {}, {"its bytes are missing"});
+        return failure(ErrorCode::BadArchive, {}, {"its data is missing"});
     };
     const auto loaded = io::readFffFile(textWith({"bytes"}), "a.fff", none);
     QVERIFY(loaded);

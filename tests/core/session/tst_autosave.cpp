@@ -609,11 +609,11 @@ void TestAutosave::lostBlobsCostOnlyThemselves_data()
     QTest::addColumn<QString>("what");
     QTest::addColumn<QString>("sentence");
     QTest::newRow("missing") << "missing"
-                             << "fish.png was left out: its bytes are missing";
+                             << "fish.png was left out: its data is missing";
     QTest::newRow("half of it") << "t"
-                                << "fish.png was left out: its bytes are damaged";
+                                << "fish.png was left out: its data is damaged";
     QTest::newRow("other bytes") << "TWO"
-                                 << "fish.png was left out: its bytes are damaged";
+                                 << "fish.png was left out: its data is damaged";
 }
 
 void TestAutosave::lostBlobsCostOnlyThemselves()
