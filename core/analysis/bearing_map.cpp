@@ -178,27 +178,27 @@ Message bearingText(const Bearing &bearing, const Model &model)
         if (!bearing.cracks)
             break;
         //: %1 is a mass, %2 a section, %3 a place such as "beside its slit for Body"
-        return {isLoaded ? FFF_TEXT("Checks", "Bears %1 more here, then %2 cracks %3.")
-                         : FFF_TEXT("Checks", "Bears %1 here, then %2 cracks %3."),
+        return {isLoaded ? FFF_TEXT("Checks", "Holds %1 more here before %2 cracks %3.")
+                         : FFF_TEXT("Checks", "Holds %1 here before %2 cracks %3."),
                 {massOf(bearing.mass), nameOf(model, bearing.cracks->section),
                  spotText(*bearing.cracks, model)}};
     case BearingEnd::Falls:
         //: %1 is a mass
-        return {isLoaded ? FFF_TEXT("Checks", "Bears %1 more here, then it falls over.")
-                         : FFF_TEXT("Checks", "Bears %1 here, then it falls over."),
+        return {isLoaded ? FFF_TEXT("Checks", "Holds %1 more here before it falls over.")
+                         : FFF_TEXT("Checks", "Holds %1 here before it falls over."),
                 {massOf(bearing.mass)}};
     case BearingEnd::PullsOut:
         //: %1 is a mass
-        return {isLoaded ? FFF_TEXT("Checks", "Bears %1 more here, then a joint is pulled open.")
-                         : FFF_TEXT("Checks", "Bears %1 here, then a joint is pulled open."),
+        return {isLoaded ? FFF_TEXT("Checks", "Holds %1 more here before a joint is pulled open.")
+                         : FFF_TEXT("Checks", "Holds %1 here before a joint is pulled open."),
                 {massOf(bearing.mass)}};
     case BearingEnd::BearsAll:
         //: %1 is a mass
-        return {FFF_TEXT("Checks", "Bears more than %1 here."), {massOf(bearing.mass)}};
+        return {FFF_TEXT("Checks", "Holds more than %1 here."), {massOf(bearing.mass)}};
     case BearingEnd::NotWorkedOut:
         break;
     }
-    return {FFF_TEXT("Checks", "What it bears here could not be worked out."), {}};
+    return {FFF_TEXT("Checks", "How much it holds here could not be worked out."), {}};
 }
 
 } // namespace fff

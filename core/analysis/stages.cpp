@@ -26,10 +26,10 @@ std::vector<Stage> allStages()
         makeStage(kHolding, FFF_TEXT("Stage", "whether it holds"), {kAnalysed.name, kRules.name},
                   Always, holding)
             .failingAs(kStrengthNotWorkedOut),
-        makeStage(kAccurate, FFF_TEXT("Stage", "what it bears with sections that bend"),
+        makeStage(kAccurate, FFF_TEXT("Stage", "how much it holds when sections bend"),
                   {kAnalysed.name, kRules.name}, WhenSettled, accurate)
             .refining(kHolding.name),
-        makeStage(kBearing, FFF_TEXT("Stage", "what each place of a section bears"),
+        makeStage(kBearing, FFF_TEXT("Stage", "how much each place of a section holds"),
                   {kAnalysed.name, kRules.name, kQuestions.name}, WhenSettled, askedBearing),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),
                   {kAnalysed.name, kPlanned.name, kRules.name}, WhenSettled, foundFlips),

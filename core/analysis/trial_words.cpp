@@ -119,13 +119,13 @@ Message changesBetween(const Analysis &before, const Analysis &after,
             parts.push_back(count == 1 ? std::move(one) : Message{many, {}, count});
     };
     const Named &name = difference.one;
-    add(difference.turned, {FFF_TEXT("Checks", "One joint turned round"), {}},
-        FFF_TEXT_OF_MANY("Checks", "%n joints turned round"));
+    add(difference.turned, {FFF_TEXT("Checks", "1 joint flipped"), {}},
+        FFF_TEXT_OF_MANY("Checks", "%n joints flipped"));
     if (const Stock *stock = thickened(before, after))
         //: %1 is the name of a stock, %2 a length
-        parts.push_back({FFF_TEXT("Checks", "%1 then %2 thick"),
+        parts.push_back({FFF_TEXT("Checks", "%1 becomes %2 thick"),
                          {Named{stock->name}, lengthOf(stock->thickness)}});
-    add(difference.shifted, {FFF_TEXT("Checks", "One joint's slits meet elsewhere"), {}},
+    add(difference.shifted, {FFF_TEXT("Checks", "The slits of 1 joint meet elsewhere"), {}},
         FFF_TEXT_OF_MANY("Checks", "The slits of %n joints meet elsewhere"));
     add(difference.moved,
         //: %1 is the name of a section, %2 a length
@@ -133,8 +133,8 @@ Message changesBetween(const Analysis &before, const Analysis &after,
         FFF_TEXT_OF_MANY("Checks", "%n sections moved"));
     add(difference.reshaped,
         //: %1 is the name of a section
-        {FFF_TEXT("Checks", "%1 given another outline"), {name}},
-        FFF_TEXT_OF_MANY("Checks", "%n sections given another outline"));
+        {FFF_TEXT("Checks", "%1 reshaped"), {name}},
+        FFF_TEXT_OF_MANY("Checks", "%n sections reshaped"));
     add(difference.made,
         //: %1 is the name of a section
         {FFF_TEXT("Checks", "%1 added"), {name}}, FFF_TEXT_OF_MANY("Checks", "%n sections added"));
@@ -145,7 +145,7 @@ Message changesBetween(const Analysis &before, const Analysis &after,
     if (difference.turned > 0 && difference.morePieces == 0)
         parts.push_back({FFF_TEXT("Checks", "nothing is cut through"), {}});
     add(problemsIn(foundBefore) - problemsIn(foundAfter),
-        {FFF_TEXT("Checks", "one problem solved"), {}},
+        {FFF_TEXT("Checks", "1 problem solved"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n problems solved"));
     const Finding *was = heldIn(foundBefore), *is = heldIn(foundAfter);
     if (was && is && !was->is(*is->kind))

@@ -19,7 +19,7 @@ constexpr Text kFlipSlits = FFF_TEXT("Step", "%1 · %2: flip the slits");
 //: %1 and %2 are the names of two sections, %3 a number
 constexpr Text kMoveMeetingPoint = FFF_TEXT("Step", "%1 · %2: meeting point → %3\u202f%");
 //: %1 and %2 are the names of two sections
-constexpr Text kResetJoint = FFF_TEXT("Step", "%1 · %2: reset to automatic");
+constexpr Text kResetJoint = FFF_TEXT("Step", "%1 · %2: restore automatic settings");
 
 Text kindText(JointKind kind)
 {

@@ -5,14 +5,14 @@
 
 namespace fff::hints {
 
-inline constexpr Text kNoMeetingPoint =
-    FFF_TEXT("Hint", "Nothing moved: where %1 and %2 meet, two slits do not share the way.");
+inline constexpr Text kNoMeetingPoint = FFF_TEXT(
+    "Hint", "Nothing moved: where %1 and %2 meet, there are no two slits that share the depth.");
 inline constexpr Text kJointCannotBe =
     FFF_TEXT("Hint", "Nothing changed: %1 and %2 cannot be joined like that.");
 inline constexpr Text kJointCannotFlip =
-    FFF_TEXT("Hint", "Nothing turned: the slits of %1 and %2 cannot open to the other side.");
+    FFF_TEXT("Hint", "Nothing flipped: the slits of %1 and %2 cannot open to the other side.");
 inline constexpr Text kCannotTrim =
-    FFF_TEXT("Hint", "Nothing trimmed: %1 is not in %2, or nothing of it would stay.");
+    FFF_TEXT("Hint", "Nothing trimmed: %1 is not in %2, or nothing of it would remain.");
 
 } // namespace fff::hints
 

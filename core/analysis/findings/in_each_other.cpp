@@ -19,14 +19,14 @@ Text whyText(NoSlit why)
 {
     switch (why) {
     case NoSlit::Wanted:
-        return FFF_TEXT("Checks", "Their joint is set to have none.");
+        return FFF_TEXT("Checks", "Their joint is set to “None”.");
     case NoSlit::NoWidth:
         return FFF_TEXT("Checks", "No slit lets them slide together: the negative clearance leaves "
                                   "it no width. Make the clearance larger.");
     case NoSlit::OppositeWays:
-        return FFF_TEXT("Checks", "No slits let them slide together: where they meet here they "
-                                  "could only slide one way, there only the other way. Shorten one "
-                                  "of them.");
+        return FFF_TEXT("Checks",
+                        "No slits let them slide together: in one place they could only slide one "
+                        "way, in another only the other way. Shorten one of them.");
     case NoSlit::NothingHolds:
         return FFF_TEXT("Checks",
                         "Nothing would hold them: holes are where slits would begin. Make the "
@@ -42,7 +42,7 @@ Text whyText(NoSlit why)
 Message noSlitSentence(const Finding &finding, const Model &model)
 {
     const MissingSlit &missing = *finding.details<MissingSlit>();
-    return {FFF_TEXT("Checks", "%1 and %2 cut into each other, %3 long. %4"),
+    return {FFF_TEXT("Checks", "%1 and %2 overlap, %3 long. %4"),
             {nameAt(finding, model, 0), nameAt(finding, model, 1), lengthOf(missing.overlap),
              whyText(missing.why)}};
 }
@@ -62,9 +62,8 @@ Message interferenceSentence(const Finding &finding, const Model &model)
     const Message deep = how.depth < kSmall
                              ? Message{FFF_TEXT("Checks", "less than %1"), {lengthOf(kSmall)}}
                              : Message{{nullptr, "%1"}, {lengthOf(how.depth)}};
-    return {how.isJoined
-                ? FFF_TEXT("Checks", "%1 and %2 cut into each other, %3, outside of their slits.")
-                : FFF_TEXT("Checks", "%1 and %2 cut into each other, %3, but are not joined."),
+    return {how.isJoined ? FFF_TEXT("Checks", "%1 and %2 overlap by %3, outside their slits.")
+                         : FFF_TEXT("Checks", "%1 and %2 overlap by %3, but are not joined."),
             {nameAt(finding, model, 0), nameAt(finding, model, 1), deep}};
 }
 
@@ -121,7 +120,7 @@ const FindingKind kInterference{"interference", Subject::Joints,
 const FindingKind kShallowAngle{
     "shallowAngle",  Subject::Joints, FFF_TEXT("Checks", "Angle too flat"),
     shallowSentence, turnEither,      nullptr,
-    nullptr,         nullptr,         FFF_TEXT("Checks", "Turn one of them further to the other.")};
+    nullptr,         nullptr,         FFF_TEXT("Checks", "Turn one of them to a steeper angle.")};
 
 void findJointFaults(const Looked &at, std::vector<Finding> &found)
 {

@@ -17,18 +17,17 @@ Message loosePiecesSentence(const Finding &finding, const Model &model)
     const WidthAndHeight size{pieces.width, pieces.height};
     if (pieces.loose == 1)
         //: %1 is the name of a section, %2 a number from 2 on, %3 a size
-        return {
-            FFF_TEXT("Checks", "Slits cut %1 into %2 parts; one of them, %3, is held by nothing."),
-            {name, pieces.parts, size}};
+        return {FFF_TEXT("Checks", "Slits cut %1 into %2 parts; nothing holds one of them, %3."),
+                {name, pieces.parts, size}};
     //: %1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size
-    return {FFF_TEXT("Checks", "Slits cut %1 into %2 parts; %3 are held by nothing, the largest of "
-                               "them %4."),
+    return {FFF_TEXT("Checks",
+                     "Slits cut %1 into %2 parts; nothing holds %3 of them, the largest being %4."),
             {name, pieces.parts, pieces.loose, size}};
 }
 
-constexpr Text kTurnText = FFF_TEXT("Checks", "Turn slits round");
+constexpr Text kTurnText = FFF_TEXT("Checks", "Flip slits");
 //: %1 is the name of a section
-constexpr Text kTurnStep = FFF_TEXT("Step", "Turn slits of %1 round");
+constexpr Text kTurnStep = FFF_TEXT("Step", "Flip slits of %1");
 
 /// So many of its joints are turned round, one at a time.
 constexpr int kMostTurned = 24;

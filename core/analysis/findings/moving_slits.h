@@ -13,7 +13,7 @@ extern const ActionKind kMoveSlit;
 /// The same where the slit's end is too near: the two slits of its joint meet so much earlier.
 extern const ActionKind kCutLessDeep;
 
-inline constexpr Text kLessDeepText = FFF_TEXT("Checks", "Cut the slit less deep");
+inline constexpr Text kLessDeepText = FFF_TEXT("Checks", "Make the slit shallower");
 /// The slit of host for guest, by so much, mm: the two slits of their joint meet so much earlier.
 /// Nothing where they cannot.
 std::optional<FindingEdit> cutLessDeepBy(double by, const Slit &slit, const SectionRef &host,

@@ -37,8 +37,7 @@ Message tightSentence(const Finding &finding, const Model &)
 
 Message wideSentence(const Finding &finding, const Model &)
 {
-    return {FFF_TEXT("Checks", "Slits are %1 wider than what goes into them, which is loose in "
-                               "them then."),
+    return {FFF_TEXT("Checks", "Slits are %1 wider than what goes into them, so it sits loosely."),
             {widthOf(finding.details<NarrowSlit>()->tool)}};
 }
 

@@ -14,7 +14,7 @@ Message failureSentence(const Finding &finding, const Model &)
         return {FFF_TEXT("Stage", "Stopped: %1. It is worked out again when the model changes."),
                 {failure.title}};
     //: %1 is what would have been found out: "the order of assembly", %2 a sentence
-    return {FFF_TEXT("Stage", "Could not be worked out: %1. The reason: %2."),
+    return {FFF_TEXT("Stage", "Could not be worked out: %1. Reason: %2."),
             {failure.title, failure.why}};
 }
 

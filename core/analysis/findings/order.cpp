@@ -22,14 +22,11 @@ Message canOtherwiseSentence(const Finding &finding, const Model &)
 {
     const AssemblyOrder &order = *finding.details<AssemblyOrder>();
     if (order.inEachOther == 1)
-        return {FFF_TEXT("Checks", "Could be assembled, if two sections did not take up the same "
-                                   "place."),
-                {}};
-    return {FFF_TEXT_OF_MANY("Checks",
-                             "Could be assembled, if %n pairs of sections did not take up "
-                             "the same place."),
-            {},
-            order.inEachOther};
+        return {FFF_TEXT("Checks", "Could be assembled if two sections did not overlap."), {}};
+    return {
+        FFF_TEXT_OF_MANY("Checks", "Could be assembled if %n pairs of sections did not overlap."),
+        {},
+        order.inEachOther};
 }
 
 constexpr Text kShowText = FFF_TEXT("Checks", "Show the steps");
@@ -142,8 +139,8 @@ const ActionKind kMakeAssemblable{plainWords<kMakeText>, assemblable};
 const FindingKind kCanAssemble{"canAssemble", Subject::Assembly,
                                FFF_TEXT("Checks", "Can be assembled"), canSentence, showSteps};
 const FindingKind kCanOtherwiseAssemble{"interference", Subject::Assembly,
-                                        FFF_TEXT("Checks", "Overlap"), canOtherwiseSentence,
-                                        showSteps};
+                                        FFF_TEXT("Checks", "Sections overlap"),
+                                        canOtherwiseSentence, showSteps};
 const FindingKind kCannotAssemble{
     "cannotAssemble",
     Subject::Assembly,
@@ -153,7 +150,9 @@ const FindingKind kCannotAssemble{
     cannotLook,
     nullptr,
     nullptr,
-    FFF_TEXT("Checks", "Shorten one of them, or turn it so that it slides the way of the others.")};
+    FFF_TEXT(
+        "Checks",
+        "Shorten one of them, or turn it so that it slides in the same direction as the others.")};
 const FindingKind kOrderUnknown{"orderUnknown", Subject::Assembly,
                                 FFF_TEXT("Checks", "Order not found"), unknownSentence};
 

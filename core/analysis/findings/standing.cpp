@@ -195,7 +195,7 @@ ProblemLook footingLook(const Finding &finding)
 }
 
 constexpr Text kFootAdvice =
-    FFF_TEXT("Checks", "Give it another foot, or move weight over those it has.");
+    FFF_TEXT("Checks", "Give it another foot, or move weight over its feet.");
 constexpr Text kNotYet = FFF_TEXT("Checks", "Does not stand yet");
 constexpr Text kNotOnGroundYet = FFF_TEXT("Checks", "Not on the ground yet");
 

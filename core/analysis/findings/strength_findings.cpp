@@ -36,7 +36,7 @@ Message amountOf(const Held &held, double kilograms)
 Message placedOf(const Held &held)
 {
     if (held.pushes > 0.0 && held.weights > 0.0)
-        return {FFF_TEXT("Checks", "what acts on it"), {}};
+        return {FFF_TEXT("Checks", "its load"), {}};
     return amountOf(held, held.placed);
 }
 
@@ -101,13 +101,13 @@ Message limitsOf(const Held &held, const Model &model)
                    amountOf(held, *bearable.cracksFrom)}};
     Message falls;
     if (bearable.fallsFrom)
-        falls = {bearable.isPulledOut ? FFF_TEXT("Checks", "From %1 on a joint is pulled open.")
-                                      : FFF_TEXT("Checks", "From %1 on it does not stand."),
+        falls = {bearable.isPulledOut ? FFF_TEXT("Checks", "With %1 a joint is pulled open.")
+                                      : FFF_TEXT("Checks", "With %1 it no longer stands."),
                  {amountOf(held, *bearable.fallsFrom)}};
     if (cracks.isEmpty() && falls.isEmpty())
         return {bearable.isFound
-                    ? FFF_TEXT("Checks", "It would bear far more.")
-                    : FFF_TEXT("Checks", "How much it would bear could not be worked out."),
+                    ? FFF_TEXT("Checks", "It would hold far more.")
+                    : FFF_TEXT("Checks", "How much it would hold could not be worked out."),
                 {}};
     return cracks.isEmpty() ? falls : joined(cracks, falls);
 }
@@ -116,9 +116,9 @@ Message ownWeightSentence(const Finding &finding, const Model &model)
 {
     const Held &held = heldOf(finding);
     if (!held.weakest)
-        return {FFF_TEXT("Checks", "Nothing strains it."), {}};
+        return {FFF_TEXT("Checks", "Nothing puts a strain on it."), {}};
     //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a number of percent
-    return {FFF_TEXT("Checks", "Weakest is %1, %2: %3 % of what it bears."),
+    return {FFF_TEXT("Checks", "Weakest is %1, %2: %3 % of its strength."),
             {nameOf(model, held.weakest->section), spotText(*held.weakest, model),
              percentOf(held.cornerUse)}};
 }
@@ -154,7 +154,7 @@ Message weakSentence(const Finding &finding, const Model &model)
         sentence = titledSentence(
             weakTitle(finding),
             //: %1 is a section, %2 a number of percent
-            {FFF_TEXT("Checks", "The neck of %1 is strained to %2 % of what it bears."),
+            {FFF_TEXT("Checks", "The neck of %1 is strained to %2 % of its strength."),
              {nameOf(model, held.breaks->section), percentOf(held.neckUse)}});
     if (held.neckUse > 1.0) // what breaks bends no farther
         return sentence;
@@ -186,7 +186,7 @@ Message movesSentence(const Finding &finding, const Model &model)
     if (finding.sections.empty())
         return {FFF_TEXT("Checks", "Slides away. Its feet do not hold it against what pushes it."),
                 {}};
-    return {FFF_TEXT("Checks", "Comes loose. Nothing keeps %1 where it is."),
+    return {FFF_TEXT("Checks", "Comes loose. Nothing keeps %1 in place."),
             {namesOf(model, finding.sections)}};
 }
 
@@ -208,14 +208,16 @@ Message pulledSentence(const Finding &finding, const Model &model)
 
 Message besideSentence(const Finding &finding, const Model &model)
 {
-    return {FFF_TEXT("Checks", "Off the material. A weight on %1 hangs over no material; the "
-                               "nearest part of it bears it."),
-            {nameAt(finding, model, 0)}};
+    return {
+        FFF_TEXT(
+            "Checks",
+            "Off the material. A weight on %1 misses its material; the nearest place takes it."),
+        {nameAt(finding, model, 0)}};
 }
 
 // --- what can be done
 
-constexpr Text kTurnText = FFF_TEXT("Checks", "Turn its slits round");
+constexpr Text kTurnText = FFF_TEXT("Checks", "Flip its slits");
 
 std::optional<FindingEdit> slitsTurned(const FindingAction &, const Finding &finding,
                                        const Analysis &analysis, const Flips *)
@@ -389,17 +391,17 @@ const FindingKind kBarelyHolds{"barelyHolds",
                                nullptr,
                                {},
                                barelyTitle};
-const FindingKind kTooWeak{"tooWeak",
-                           Subject::Strength,
-                           FFF_TEXT("Checks", "Too weak"),
-                           weakSentence,
-                           strengthen,
-                           nullptr,
-                           nullptr,
-                           nullptr,
-                           FFF_TEXT("Checks", "Use thicker stock, make it wider there, or hang "
-                                              "less on it."),
-                           weakTitle};
+const FindingKind kTooWeak{
+    "tooWeak",
+    Subject::Strength,
+    FFF_TEXT("Checks", "Too weak"),
+    weakSentence,
+    strengthen,
+    nullptr,
+    nullptr,
+    nullptr,
+    FFF_TEXT("Checks", "Use thicker stock, make it wider there, or put less on it."),
+    weakTitle};
 const FindingKind kNotRated{"notRated", Subject::Strength, FFF_TEXT("Checks", "Strength unknown"),
                             notRatedSentence, enterStrength};
 const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,

@@ -17,7 +17,7 @@ struct ThinNeck
 
 Message hangsSentence(const Finding &finding, const Model &model)
 {
-    return {FFF_TEXT("Checks", "Falls apart. %1 hangs together by less than can be cut."),
+    return {FFF_TEXT("Checks", "Falls apart. %1 is held together by less than can be cut."),
             {nameAt(finding, model, 0)}};
 }
 
@@ -35,7 +35,7 @@ const FindingKind kHangsByNothing{
     .subject = Subject::Strength,
     .title = FFF_TEXT("Checks", "Falls apart"),
     .sentence = hangsSentence,
-    .advice = FFF_TEXT("Checks", "Make it wider there, or move what it touches apart.")};
+    .advice = FFF_TEXT("Checks", "Make it wider there, or move apart what touches it.")};
 const FindingKind kThinNeck{.name = "thinNeck",
                             .subject = Subject::Strength,
                             .title = FFF_TEXT("Checks", "Too little material"),

@@ -12,10 +12,11 @@ Message touchingSentence(const Finding &finding, const Model &model)
     const Touching &touching = *finding.details<Touching>();
     if (touching.pairs == 1)
         //: %1 and %2 are names of sections, %3 is a length
-        return {FFF_TEXT("Checks", "%1 and %2 only touch, by less than %3."),
+        return {FFF_TEXT("Checks", "%1 and %2 only touch: they overlap by less than %3."),
                 {nameAt(finding, model, 0), nameAt(finding, model, 1), lengthOf(touching.least)}};
     //: %1 is a length
-    return {FFF_TEXT_OF_MANY("Checks", "%n pairs of sections only touch, by less than %1."),
+    return {FFF_TEXT_OF_MANY("Checks",
+                             "%n pairs of sections only touch: they overlap by less than %1."),
             {lengthOf(touching.least)},
             touching.pairs};
 }

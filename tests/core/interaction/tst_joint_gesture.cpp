@@ -419,7 +419,7 @@ void TestJointGesture::commandsDoTheSame()
     QVERIFY(desk.commands.isEnabled("joint.reset"));
     desk.run("joint.reset");
     QVERIFY(desk.document().jointOverrides.empty());
-    QCOMPARE(desk.lastStep(), QStringLiteral("Body · Head: reset to automatic"));
+    QCOMPARE(desk.lastStep(), QStringLiteral("Body · Head: restore automatic settings"));
     desk.run("joint.kind", {{"kind", "none"}});
     QCOMPARE(desk.lastStep(), QStringLiteral("Body · Head: kind → none"));
     desk.run("joint.kind", {{"kind", "crossLap"}});

@@ -150,8 +150,8 @@ QString falseWordsOf(const Mend &mend, const Document &before, const Staged &was
     const QString wrong[] = {
         claim(made, " added", " sections added"), claim(gone, " deleted", " sections deleted"),
         claim(moved, " moved by ", " sections moved"),
-        claim(reshaped, " given another outline", " sections given another outline"),
-        claim(std::max(0, problemsIn(was.found) - problemsIn(is.found)), "one problem solved",
+        claim(reshaped, " reshaped", " sections reshaped"),
+        claim(std::max(0, problemsIn(was.found) - problemsIn(is.found)), "1 problem solved",
               " problems solved")};
     for (const QString &words : wrong)
         if (!words.isEmpty())

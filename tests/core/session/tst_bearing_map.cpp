@@ -207,7 +207,7 @@ void TestBearingMap::words()
     QVERIFY(map);
     for (const Bearing &bearing : map->bearings) {
         const QString text = messageText(bearingText(bearing, map->analysis->model));
-        QVERIFY2(text.startsWith(QStringLiteral("Bears ")) && text.endsWith(u'.'),
+        QVERIFY2(text.startsWith(QStringLiteral("Holds ")) && text.endsWith(u'.'),
                  qPrintable(text));
         if (bearing.end == BearingEnd::Cracks)
             QVERIFY2(text.contains(QStringLiteral(" cracks ")), qPrintable(text));

@@ -65,8 +65,8 @@ void TestPlanChecks::sentences_data()
                           "joints that slide in 3 different directions.");
     QTest::newRow("locked by an arm")
         << underAnArm(60)
-        << QStringLiteral("Sections block each other. Section 2 comes only 5 mm out of its slit in "
-                          "Section 1, then it runs into it.");
+        << QStringLiteral("Sections block each other. Section 2 comes only 5 mm out of its slit "
+                          "before it hits Section 1.");
 }
 
 /// What would be wrong: a person who is told "no" and not why.
@@ -99,8 +99,7 @@ void TestPlanChecks::whatIsInEachOtherSaysHowDeep()
     QCOMPARE(finding.sections.size(), std::size_t(2));
     QVERIFY(finding.at);
     QCOMPARE(said.sentences.back(),
-             QStringLiteral("Section 1 and Section 2 cut into each other, 1 mm, but are not "
-                            "joined."));
+             QStringLiteral("Section 1 and Section 2 overlap by 1 mm, but are not joined."));
 }
 
 /// What would be wrong: bumps of one joint, or the clearance of another stock, hide that two plates
@@ -217,8 +216,8 @@ void TestPlanChecks::ringsAreNamed()
     const Model model = evaluate(triangle());
     ring.sections = {model.ref(0), model.ref(1), model.ref(2)};
     QCOMPARE(findingText(ring, model),
-             QStringLiteral("Section 1, Section 2 and Section 3 form a ring of joints that slide "
-                            "in different directions."));
+             QStringLiteral("Section 1, Section 2 and Section 3 form a ring: each of these has to "
+                            "go in before the others."));
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.

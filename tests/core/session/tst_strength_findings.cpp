@@ -316,7 +316,7 @@ void TestStrengthFindings::pushesHaveTheirOwnWords()
              qPrintable(alone.join(u'|')));
     QVERIFY(!alone[0].contains(QStringLiteral("kg")));
     const QStringList both = saidOf({0.0, 0.0, -5.0}, true);
-    QVERIFY2(both.size() == 1 && both[0].startsWith(QStringLiteral("Holds what acts on it.")),
+    QVERIFY2(both.size() == 1 && both[0].startsWith(QStringLiteral("Holds its load.")),
              qPrintable(both.join(u'|')));
     QVERIFY(both[0].contains(QStringLiteral("times as much")));
 }
