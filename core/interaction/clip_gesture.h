@@ -5,8 +5,8 @@
 
 namespace fff::hints {
 
-inline constexpr Text kMovingCut =
-    FFF_TEXT("Hint", "Move to shift the cut, release to leave it there. Esc puts it back.");
+inline constexpr Text kMovingCut = FFF_TEXT(
+    "Hint", "Move to shift the cut, release to leave it there. <kbd>Esc</kbd> puts it back.");
 
 } // namespace fff::hints
 

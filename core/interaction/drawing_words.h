@@ -5,8 +5,8 @@
 
 namespace fff::hints {
 
-inline constexpr Text kDrawingOpen =
-    FFF_TEXT("Hint", "Nothing imported: no line of %1 closes to an outline. It can be engraved.");
+inline constexpr Text kDrawingOpen = FFF_TEXT(
+    "Hint", "Nothing imported: no line in %1 forms a closed outline. They can be engraved.");
 inline constexpr Text kDrawingLeft =
     FFF_TEXT_OF_MANY("Hint", "%n outlines of %1 did not fit and were left out.");
 // What of it was left out, and what was read.

@@ -17,12 +17,12 @@ namespace fff::hints {
 
 //: %1 is a shape ("Circle")
 inline constexpr Text kPlaceFigure =
-    FFF_TEXT("Hint", "%1: drag from its middle outwards; a click makes one of the usual size.");
+    FFF_TEXT("Hint", "%1: drag outwards from its centre; a click makes one of the usual size.");
 //: %1 is a shape ("Circle"), %2 the name of a section
 inline constexpr Text kPlaceHole =
-    FFF_TEXT("Hint", "%1: drag from its middle outwards to cut it out of %2.");
+    FFF_TEXT("Hint", "%1: drag outwards from its centre to cut it out of %2.");
 inline constexpr Text kSizeFigure =
-    FFF_TEXT("Hint", "Release to make it so large; <kbd>Shift</kbd> keeps both sides alike. "
+    FFF_TEXT("Hint", "Release to make it this size; <kbd>Shift</kbd> keeps both sides equal. "
                      "<kbd>Esc</kbd> cancels.");
 
 } // namespace fff::hints

@@ -11,10 +11,10 @@ inline constexpr Text kTurnView =
     FFF_TEXT("Hint", "Drag to turn the view; <kbd>Shift</kbd> drag selects a group.");
 inline constexpr Text kDragOutOfSection =
     FFF_TEXT("Hint", "Drag out of %1 to draw a section across it; click to select it.");
-inline constexpr Text kSeenOnEdge =
-    FFF_TEXT("Hint", "Click to select %1. Drag to turn the view: on its edge nothing is drawn.");
+inline constexpr Text kSeenOnEdge = FFF_TEXT(
+    "Hint", "Click to select %1. Drag to turn the view: you can't draw on a section seen edge-on.");
 inline constexpr Text kMoveCut =
-    FFF_TEXT("Hint", "Drag to move the cut through the model; Esc closes it.");
+    FFF_TEXT("Hint", "Drag to move the cut through the model; <kbd>Esc</kbd> closes it.");
 inline constexpr Text kChooseProblem = FFF_TEXT("Hint", "Click to select problem %1.");
 inline constexpr Text kMovePoint = FFF_TEXT(
     "Hint", "Drag to move the point; <kbd>Ctrl</kbd> makes a corner, arrow keys move 1\u202fmm.");
@@ -46,9 +46,9 @@ inline constexpr Text kSelectInstance =
     FFF_TEXT("Hint", "Click to select %1 alone; drag out of it to draw a section across it.");
 inline constexpr Text kMoveRange = FFF_TEXT(
     "Hint",
-    "Drag a round handle to move the beginning or the end of %1; click one section to select it.");
+    "Drag a round handle to move the start or the end of %1; click one section to select it.");
 inline constexpr Text kMoveBeginning =
-    FFF_TEXT("Hint", "Drag to move the beginning of %1; click to type it.");
+    FFF_TEXT("Hint", "Drag to move the start of %1; click to type it.");
 inline constexpr Text kMoveEnd = FFF_TEXT("Hint", "Drag to move the end of %1; click to type it.");
 
 } // namespace fff::hints

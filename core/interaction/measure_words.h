@@ -7,10 +7,10 @@
 namespace fff::hints {
 
 inline constexpr Text kMeasureFrom =
-    FFF_TEXT("Hint", "Drag from one place to another to measure; <kbd>Ctrl</kbd> snaps to nothing. "
+    FFF_TEXT("Hint", "Drag from one place to another to measure; <kbd>Ctrl</kbd> does not snap. "
                      "<kbd>Esc</kbd> ends.");
 inline constexpr Text kSecondPlace =
-    FFF_TEXT("Hint", "Go to the second place. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "Move to the second place. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kMeasured =
     FFF_TEXT("Hint", "Click or drag to measure again. <kbd>Esc</kbd> clears it.");
 inline constexpr Text kDimensionFrom = FFF_TEXT(
@@ -22,7 +22,7 @@ inline constexpr Text kDimensionType = FFF_TEXT(
 inline constexpr Text kNotScaled =
     FFF_TEXT("Hint", "The model cannot be made that large or small.");
 inline constexpr Text kNotScaledSoFar =
-    FFF_TEXT("Hint", "The model cannot be scaled so far: %1 would leave its bounds.");
+    FFF_TEXT("Hint", "The model cannot be scaled that far: %1 would go beyond its limits.");
 
 } // namespace fff::hints
 

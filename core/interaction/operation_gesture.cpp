@@ -13,10 +13,10 @@ namespace {
 
 //: %1 is the name of an operation, %2 a number
 constexpr Text kMovingBeginning =
-    FFF_TEXT("Hint", "Release to let %1 begin here: %2\u202f%. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "Release to start %1 here: %2\u202f%. <kbd>Esc</kbd> cancels.");
 //: %1 is the name of an operation, %2 a number
 constexpr Text kMovingEnd =
-    FFF_TEXT("Hint", "Release to let %1 end here: %2\u202f%. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "Release to end %1 here: %2\u202f%. <kbd>Esc</kbd> cancels.");
 
 } // namespace
 

@@ -11,11 +11,12 @@ namespace {
 
 constexpr Text kMovingPoint = FFF_TEXT("Hint", "Release to leave it here. <kbd>Ctrl</kbd> makes a "
                                                "corner, <kbd>Shift</kbd> keeps the direction.");
-constexpr Text kMovingHandle = FFF_TEXT("Hint", "Release to leave it so. <kbd>Ctrl</kbd> makes a "
-                                                "corner, <kbd>Shift</kbd> keeps the direction.");
-constexpr Text kBendingContour = FFF_TEXT(
-    "Hint",
-    "Release to leave it so. <kbd>Ctrl</kbd> makes corners at its ends. <kbd>Esc</kbd> cancels.");
+constexpr Text kMovingHandle =
+    FFF_TEXT("Hint", "Release to keep it like this. <kbd>Ctrl</kbd> makes a corner, "
+                     "<kbd>Shift</kbd> keeps the direction.");
+constexpr Text kBendingContour =
+    FFF_TEXT("Hint", "Release to keep it like this. <kbd>Ctrl</kbd> makes corners at its ends. "
+                     "<kbd>Esc</kbd> cancels.");
 //: %1 is the name of a section
 constexpr Text kMoveHandle = FFF_TEXT("Step", "Move handle of %1");
 //: %1 is the name of a section

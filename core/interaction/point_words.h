@@ -5,15 +5,14 @@
 
 namespace fff::hints {
 
-inline constexpr Text kWouldCrossItself = FFF_TEXT(
-    "Hint", "Here the contour would cross itself; it stays at the last place where it does not.");
+inline constexpr Text kWouldCrossItself =
+    FFF_TEXT("Hint", "The contour would cross itself here; it stays as it was just before.");
 inline constexpr Text kWouldMeetHole = FFF_TEXT(
-    "Hint",
-    "Here a hole would not lie inside by itself; it stays at the last place where it does.");
+    "Hint", "A hole would touch the edge or another hole here; it stays as it was just before.");
 inline constexpr Text kWouldBeBelowGround =
-    FFF_TEXT("Hint", "Here all of %1 would be cut off at the ground; it stays as it was.");
+    FFF_TEXT("Hint", "All of %1 would be cut off at the ground here; it stays as it was.");
 inline constexpr Text kTooFewPoints =
-    FFF_TEXT("Hint", "Nothing deleted: a contour needs two points at least.");
+    FFF_TEXT("Hint", "Nothing deleted: a contour needs at least two points.");
 
 } // namespace fff::hints
 

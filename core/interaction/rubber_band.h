@@ -5,8 +5,8 @@
 
 namespace fff::hints {
 
-inline constexpr Text kRubberBand =
-    FFF_TEXT("Hint", "Release to select all that is wholly inside. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kRubberBand = FFF_TEXT(
+    "Hint", "Release to select everything that is completely inside. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kPointBand =
     FFF_TEXT("Hint", "Release to select the points inside. <kbd>Esc</kbd> cancels.");
 

@@ -48,8 +48,8 @@ constexpr Text kPutOn = FFF_TEXT("Step", "Put %1 on another section");
 constexpr CountedText kFreeSection{FFF_TEXT("Step", "Free %1"),
                                    FFF_TEXT_OF_MANY("Step", "Free %n sections")};
 //: %1 is the name of a section
-constexpr CountedText kHoldSection{FFF_TEXT("Step", "Hold %1"),
-                                   FFF_TEXT_OF_MANY("Step", "Hold %n sections")};
+constexpr CountedText kHoldSection{FFF_TEXT("Step", "Attach %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Attach %n sections")};
 //: %1 is the name of a section
 constexpr CountedText kLockSection{FFF_TEXT("Step", "Lock %1"),
                                    FFF_TEXT_OF_MANY("Step", "Lock %n sections")};

@@ -6,9 +6,9 @@
 namespace fff::hints {
 
 inline constexpr Text kHeldByParent =
-    FFF_TEXT("Hint", "%1 keeps its angle to %2. Free it to turn it any way.");
+    FFF_TEXT("Hint", "%1 keeps its angle to %2. Free it to turn it as you like.");
 inline constexpr Text kOnNothing =
-    FFF_TEXT("Hint", "%1 is on no other section, so it has no angle to one.");
+    FFF_TEXT("Hint", "%1 is not on another section, so it has no angle to one.");
 inline constexpr Text kCannotBeOn = FFF_TEXT("Hint", "%1 cannot be on %2, which is on it.");
 inline constexpr Text kDoNotMeet =
     FFF_TEXT("Hint", "%1 and %2 do not meet: move one of them across the other first.");

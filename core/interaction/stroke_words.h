@@ -32,7 +32,7 @@ inline constexpr Text kReleaseToMirrorByShift =
                      "keep only this side. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kReleaseToRedrawMirrored =
     FFF_TEXT("Hint", "<b>Release</b> to give %1 this contour, mirrored across its slit. "
-                     "<kbd>Shift</kbd> switches mirroring over.");
+                     "<kbd>Shift</kbd> does the opposite.");
 inline constexpr Text kReleaseToMirrorFirst =
     FFF_TEXT("Hint", "<b>Release</b> to make the section, mirrored across the vertical. Hold "
                      "<kbd>Shift</kbd> to keep only this side.");
@@ -57,6 +57,6 @@ inline constexpr Text kHalvesDoNotMeet =
 inline constexpr Text kCrossesItself =
     FFF_TEXT("Hint", "The contour crosses itself; the largest loop was kept.");
 inline constexpr Text kCutAtAxis =
-    FFF_TEXT("Hint", "%1 was mirrored; what came over its axis and back was left out.");
+    FFF_TEXT("Hint", "%1 was mirrored; what crossed its axis and came back was left out.");
 
 } // namespace fff::hints

@@ -19,11 +19,11 @@ inline constexpr Text kDragToTurn =
 inline constexpr Text kDragToScale =
     FFF_TEXT("Hint", "Drag to scale; <kbd>Ctrl</kbd> leaves a copy.");
 inline constexpr Text kTransforming = FFF_TEXT(
-    "Hint", "Release to leave it so. <kbd>Ctrl</kbd> leaves a copy, <kbd>Esc</kbd> cancels.");
+    "Hint", "Release to keep it like this. <kbd>Ctrl</kbd> leaves a copy, <kbd>Esc</kbd> cancels.");
 inline constexpr Text kLeavingCopy =
-    FFF_TEXT("Hint", "Release to leave a copy so. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "Release to leave a copy here. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kTransformNumbers =
-    FFF_TEXT("Hint", "<kbd>Enter</kbd> leaves it like this. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "<kbd>Enter</kbd> keeps it like this. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kTransformCopies = FFF_TEXT_OF_MANY(
     "Hint",
     "<kbd>Enter</kbd> makes %n copies like this, each a step further. <kbd>Esc</kbd> cancels.");

@@ -8,7 +8,7 @@ namespace fff::hints {
 inline constexpr Text kOrbiting = FFF_TEXT("Hint", "Move to turn the view, release to stop.");
 inline constexpr Text kPanning = FFF_TEXT("Hint", "Move to shift the view, release to stop.");
 inline constexpr Text kZooming =
-    FFF_TEXT("Hint", "Move up to come nearer, down to go away; release to stop.");
+    FFF_TEXT("Hint", "Move up to zoom in, down to zoom out; release to stop.");
 
 } // namespace fff::hints
 

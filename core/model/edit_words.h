@@ -12,10 +12,10 @@ inline constexpr Text kLocked =
 inline constexpr Text kMadeByOperation =
     FFF_TEXT("Hint", "%1 is made by %2: edit its source, or detach this one.");
 inline constexpr Text kWouldBeEmpty =
-    FFF_TEXT("Hint", "Here nothing would be left of %1; it stays as it was.");
+    FFF_TEXT("Hint", "Nothing would be left of %1; it stays as it was.");
 inline constexpr Text kCutAtGround = FFF_TEXT("Hint", "%1 was cut flat at the ground.");
-inline constexpr Text kLargestPiece =
-    FFF_TEXT("Hint", "Cut flat at the ground, %1 fell apart; the largest piece was kept.");
+inline constexpr Text kLargestPiece = FFF_TEXT(
+    "Hint", "%1 fell apart when it was cut flat at the ground; the largest piece was kept.");
 
 } // namespace fff::hints
 

@@ -92,7 +92,7 @@ void TestLoadEditing::delRemovesIt()
     QVERIFY(desk.weights().empty());
     QCOMPARE(desk.sections().size(), std::size_t(1));
     QVERIFY(!desk.isSelected());
-    QCOMPARE(desk.lastStep(), QStringLiteral("Remove a weight"));
+    QCOMPARE(desk.lastStep(), QStringLiteral("Remove weight"));
     desk.run("edit.undo");
     QVERIFY(desk.session.committed().document.isSame(desk.before));
     QVERIFY(desk.isSelected());
