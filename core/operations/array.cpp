@@ -55,7 +55,7 @@ std::vector<ParameterSpec> parameters()
          .sliderLeast = 2,
          .sliderMost = 20,
          .heading = QT_TRANSLATE_NOOP("Operation", "Line"),
-         .tip = QT_TRANSLATE_NOOP("Operation", "With what is there already")}};
+         .tip = QT_TRANSLATE_NOOP("Operation", "Including the sections that are there already")}};
     all.push_back(stepAlong("x", QT_TRANSLATE_NOOP("Operation", "Step X"), 0.0));
     all.push_back(stepAlong("y", QT_TRANSLATE_NOOP("Operation", "Step Y"), 0.0));
     all.push_back(stepAlong("z", QT_TRANSLATE_NOOP("Operation", "Step Z"), 25.0));

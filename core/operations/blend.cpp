@@ -238,14 +238,12 @@ const OperationKind kBlend{
     .key = "blend",
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Blend"),
-    .summary = QT_TRANSLATE_NOOP("Operation", "Makes sections between others, which turn into one "
-                                              "another."),
+    .summary = QT_TRANSLATE_NOOP("Operation", "Interpolates between sections."),
     //: %1 is the name of a section: "Rib blend"
     .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 blend"); },
     .inputs = {{.role = "sections",
                 .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
-                .prompt =
-                    QT_TRANSLATE_NOOP("Operation", "Click the sections to blend, in their order."),
+                .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections to blend, in order."),
                 .least = 2,
                 .most = 50},
                {.role = "along",
@@ -253,7 +251,7 @@ const OperationKind kBlend{
                 .prompt =
                     QT_TRANSLATE_NOOP("Operation", "Click the section it should run along.")}},
     .parameters = {{.key = "count",
-                    .label = QT_TRANSLATE_NOOP("Operation", "Count"),
+                    .label = QT_TRANSLATE_NOOP("Operation", "Count per gap"),
                     .unit = Unit::Count,
                     .standard = 6,
                     .least = 1,

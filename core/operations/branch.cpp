@@ -356,8 +356,8 @@ const OperationKind kBranch{
     .key = "branch",
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Branch"),
-    .summary = QT_TRANSLATE_NOOP("Operation", "Puts a section with all that is on it in the place "
-                                              "of its children, again and again."),
+    .summary = QT_TRANSLATE_NOOP("Operation", "Grows copies of a section and all that is on it in "
+                                              "place of its children, again and again."),
     //: %1 is the name of a section: "Rib branch"
     .calls = [](const Operation &) { return QT_TRANSLATE_NOOP("Operation", "%1 branch"); },
     .inputs = {{.role = "root",

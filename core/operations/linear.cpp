@@ -245,18 +245,18 @@ std::vector<ParameterSpec> parameters()
         all.insert(all.end(), more.begin(), more.end());
     };
     append(rowParameters(8));
-    append(
-        {{.key = "side",
-          .label = QT_TRANSLATE_NOOP("Operation", "Side"),
-          .unit = Unit::Choice,
-          .choices = {{"forward", QT_TRANSLATE_NOOP("Operation", "Forward")},
-                      {"back", QT_TRANSLATE_NOOP("Operation", "Back")},
-                      {"both", QT_TRANSLATE_NOOP("Operation", "Both")}}},
-         {.key = "equalDepth",
-          .label = QT_TRANSLATE_NOOP("Operation", "Equal depth inside"),
-          .unit = Unit::Switch,
-          .standard = 1.0,
-          .tip = QT_TRANSLATE_NOOP("Operation", "As much of each lies inside the other section")}});
+    append({{.key = "side",
+             .label = QT_TRANSLATE_NOOP("Operation", "Side"),
+             .unit = Unit::Choice,
+             .choices = {{"forward", QT_TRANSLATE_NOOP("Operation", "Forward")},
+                         {"back", QT_TRANSLATE_NOOP("Operation", "Back")},
+                         {"both", QT_TRANSLATE_NOOP("Operation", "Both")}}},
+            {.key = "equalDepth",
+             .label = QT_TRANSLATE_NOOP("Operation", "Equal depth inside"),
+             .unit = Unit::Switch,
+             .standard = 1.0,
+             .tip = QT_TRANSLATE_NOOP(
+                 "Operation", "The same length of each copy lies inside the other section")}});
     append(scaleParameters());
     return all;
 }

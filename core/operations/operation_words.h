@@ -14,7 +14,7 @@ inline constexpr Text kMoveOperation = FFF_TEXT("Step", "Change the order of %1"
 //: %1 is the name of a section that an operation made
 inline constexpr CountedText kHideInstance{FFF_TEXT("Step", "Leave out %1"),
                                            FFF_TEXT_OF_MANY("Step", "Leave out %n sections")};
-inline constexpr Text kShowInstance = FFF_TEXT("Step", "Make a left out section again");
+inline constexpr Text kShowInstance = FFF_TEXT("Step", "Bring a left-out section back");
 
 /// "Back plates: Count 9 → 13", "Back plates: Along → Body": one parameter or one input of an
 /// operation became another; it was `before` and is `after`, none where that follows from the

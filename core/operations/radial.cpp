@@ -161,7 +161,7 @@ std::vector<ParameterSpec> parameters()
              .countsFor = {"circle", "star", "gear", "sector"}}};
 }
 
-/// "Hind legs gear".
+/// "Hind legs gear", which is what one is if nothing else is said.
 const char *radialName(const Operation &operation)
 {
     const auto kind = operation.parameters.find("kind");
@@ -169,15 +169,15 @@ const char *radialName(const Operation &operation)
         return kind != operation.parameters.end() &&
                kind->second == ParameterValue(std::string(key));
     };
+    if (is("circle"))
+        return QT_TRANSLATE_NOOP("Operation", "%1 circle");
     if (is("star"))
         return QT_TRANSLATE_NOOP("Operation", "%1 star");
-    if (is("gear"))
-        return QT_TRANSLATE_NOOP("Operation", "%1 gear");
     if (is("holes"))
         return QT_TRANSLATE_NOOP("Operation", "%1 holes");
     if (is("sector"))
         return QT_TRANSLATE_NOOP("Operation", "%1 rosette");
-    return QT_TRANSLATE_NOOP("Operation", "%1 circle");
+    return QT_TRANSLATE_NOOP("Operation", "%1 gear");
 }
 
 } // namespace
@@ -186,8 +186,9 @@ const OperationKind kRadial{
     .key = "radial",
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Radial"),
-    .summary = QT_TRANSLATE_NOOP("Operation", "Makes a section a circle, a star or a gear, or puts "
-                                              "such holes into it."),
+    .summary = QT_TRANSLATE_NOOP(
+        "Operation",
+        "Turns a section into a circle, a star or a gear, or cuts such holes into it."),
     .calls = radialName,
     .inputs = {{.role = "section",
                 .label = QT_TRANSLATE_NOOP("Operation", "Section"),

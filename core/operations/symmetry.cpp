@@ -310,7 +310,7 @@ std::vector<InputSpec> symmetryInputs(const InputSpec &first)
     return {first,
             {.role = "sections",
              .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
-             .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections that it is about."),
+             .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections that it applies to."),
              .least = 0,
              .most = kMostSections,
              .countsIf = "what",
@@ -336,7 +336,7 @@ bool narrow(Operation &operation, std::vector<OperationInput> sections)
 ParameterSpec whatParameter()
 {
     return {.key = "what",
-            .label = QT_TRANSLATE_NOOP("Operation", "What"),
+            .label = QT_TRANSLATE_NOOP("Operation", "Applies to"),
             .unit = Unit::Choice,
             .choices = {{"whole", QT_TRANSLATE_NOOP("Operation", "Whole model")},
                         {"selection", QT_TRANSLATE_NOOP("Operation", "Selection")}}};
@@ -348,8 +348,7 @@ const OperationKind kMirror{
     .key = "mirror",
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Mirror"),
-    .summary = QT_TRANSLATE_NOOP("Operation", "What is drawn on one side stands on the other side, "
-                                              "too."),
+    .summary = QT_TRANSLATE_NOOP("Operation", "Repeats everything drawn on one side on the other."),
     .inputs = symmetryInputs(
         {.role = "across",
          .label = QT_TRANSLATE_NOOP("Operation", "Mirror"),
@@ -378,7 +377,7 @@ const OperationKind kRotational{
     .key = "rotational",
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Rotational"),
-    .summary = QT_TRANSLATE_NOOP("Operation", "What is drawn once stands all round an axis."),
+    .summary = QT_TRANSLATE_NOOP("Operation", "Repeats everything drawn once all round an axis."),
     .inputs = symmetryInputs(
         {.role = "around",
          .label = QT_TRANSLATE_NOOP("Operation", "Axis"),
@@ -394,7 +393,7 @@ const OperationKind kRotational{
                                 {"slit", QT_TRANSLATE_NOOP("Operation", "Slit")}},
                     .heading = QT_TRANSLATE_NOOP("Operation", "Symmetry")},
                    {.key = "times",
-                    .label = QT_TRANSLATE_NOOP("Operation", "Times"),
+                    .label = QT_TRANSLATE_NOOP("Operation", "Count"),
                     .unit = Unit::Count,
                     .standard = 6,
                     .least = 2,
