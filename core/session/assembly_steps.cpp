@@ -171,7 +171,7 @@ QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan)
             return AssemblyStepsTexts::tr("No steps to show: %1.")
                 .arg(io::errorSentence(*plan.failure));
         return AssemblyStepsTexts::tr(
-            "No steps to show: the order of assembly was not found in the time.");
+            "No steps to show: the order of assembly was not found in time.");
     }
     std::set<int> locked;
     for (const int part : plan.plan.locked)
@@ -207,16 +207,16 @@ QString stepText(const AssemblySteps &steps, int index)
     const std::optional<Vec3> direction = steps.playback.lastDirection(index);
     if (!direction) {
         if (index == 0)
-            return AssemblyStepsTexts::tr("begin with %1").arg(names);
+            return AssemblyStepsTexts::tr("start with %1").arg(names);
         if (step.onto.empty()) // what is brought to the others as one, later
-            return AssemblyStepsTexts::tr("begin aside with %1").arg(names);
-        return AssemblyStepsTexts::tr("put %1 in its place").arg(names);
+            return AssemblyStepsTexts::tr("start a group of its own with %1").arg(names);
+        return AssemblyStepsTexts::tr("put %1 in place").arg(names);
     }
     const QString word = wayWord(*direction), mates = matesOf(steps, index);
     if (step.moves.size() > 1)
         return mates.isEmpty()
                    //: %1 is what is moved, %2 a direction such as "down"
-                   ? AssemblyStepsTexts::tr("bring %1 in round the corner, at last %2")
+                   ? AssemblyStepsTexts::tr("bring %1 in round the corner, finally %2")
                          .arg(names, word)
                    //: %1 is what is moved, %2 a direction such as "down", %3 what it is put into
                    : AssemblyStepsTexts::tr(
@@ -224,7 +224,7 @@ QString stepText(const AssemblySteps &steps, int index)
                          .arg(names, word, mates);
     return mates.isEmpty()
                //: %1 is what is moved, %2 a direction such as "down"
-               ? AssemblyStepsTexts::tr("move %1 %2 to its place").arg(names, word)
+               ? AssemblyStepsTexts::tr("move %1 %2 into place").arg(names, word)
                //: %1 is what is moved, %2 a direction such as "down", %3 what it is put into
                : AssemblyStepsTexts::tr("slide %1 %2 into %3").arg(names, word, mates);
 }

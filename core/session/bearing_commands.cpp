@@ -9,12 +9,11 @@ namespace fff {
 namespace {
 
 constexpr CommandWords kBearingWords[] = {
-    {"physics.whereStrong", FFF_TEXT("Command", "Where is it stron&g enough?"),
-     FFF_TEXT("Command", "Strong where"), "", "stress",
-     FFF_TEXT("Command", "Colour a section by the mass that each place of it bears"), true},
+    {"physics.whereStrong", FFF_TEXT("Command", "Stren&gth map"),
+     FFF_TEXT("Command", "Strength map"), "", "stress",
+     FFF_TEXT("Command", "Colour a section by the mass that each place of it can hold"), true},
 };
-constexpr Text kSelectToAsk =
-    FFF_TEXT("Command", "Select the section first of which you want to know what it bears");
+constexpr Text kSelectToAsk = FFF_TEXT("Command", "Select the section to look at first");
 
 /// The one section that is selected.
 std::optional<SectionRef> sectionToAsk(const Interaction &interaction)

@@ -21,10 +21,11 @@ constexpr CommandWords kJointWords[] = {
     {"joint.flip", FFF_TEXT("Command", "Flip the slits of the &joint"),
      FFF_TEXT("Command", "Flip the slits"), "", "joint_flip",
      FFF_TEXT("Command", "Let the slits of the selected joint open to the other side")},
-    {"joint.reset", FFF_TEXT("Command", "Reset the joint to a&utomatic"),
-     FFF_TEXT("Command", "Reset joint"), "", "joint_reset",
-     FFF_TEXT("Command",
-              "Let the selected joint be as it is by itself: kind, direction and share")},
+    {"joint.reset", FFF_TEXT("Command", "Restore a&utomatic settings"),
+     FFF_TEXT("Command", "Restore automatic"), "", "joint_reset",
+     FFF_TEXT(
+         "Command",
+         "Let the program choose kind, direction and meeting points of the selected joint again")},
 };
 
 std::string givenText(const CommandParameters &parameters, const std::string &name)

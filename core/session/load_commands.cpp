@@ -22,11 +22,11 @@ constexpr double kUsualPush = 5.0; // N
 
 constexpr CommandWords kLoadWords[] = {
     {"physics.addWeight", FFF_TEXT("Command", "Add &weight"), FFF_TEXT("Command", "Weight"), "W",
-     "weight", FFF_TEXT("Command", "Hang a weight on a section, to see what it bears"), true},
+     "weight", FFF_TEXT("Command", "Put a weight on a section to see what it can hold"), true},
     {"physics.addPush", FFF_TEXT("Command", "Add p&ush"), FFF_TEXT("Command", "Push"), "", "push",
-     FFF_TEXT("Command", "Push or pull at a place of a section, to see what it bears"), true},
+     FFF_TEXT("Command", "Push or pull a section in one place to see what it can hold"), true},
     {"physics.pull", FFF_TEXT("Command", "Pull &here"), FFF_TEXT("Command", "Pull"), "", "pull",
-     FFF_TEXT("Command", "Pull at a section with the mouse and see what it does; nothing is kept"),
+     FFF_TEXT("Command", "Pull a section with the mouse to see what happens; nothing is kept"),
      true},
 };
 
@@ -81,7 +81,8 @@ Result<Load> withParameters(const CommandParameters &parameters, Load load, cons
     if (const std::string *spread = textOf(parameters, "spread")) {
         const std::optional<Spread> named = spreadNamed(*spread);
         if (!named)
-            return failure(ErrorCode::BadValue, "spread", {*spread, "point, patch, edge or hanging"});
+            return failure(ErrorCode::BadValue, "spread",
+                           {*spread, "point, patch, edge or hanging"});
         load.spread = *named;
     }
     if (const std::string *repeated = textOf(parameters, "repeated"))

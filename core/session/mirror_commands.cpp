@@ -37,10 +37,9 @@ constexpr CommandWords kMirrorWords[] = {
      FFF_TEXT("Command", "Add a mirror image of the selected sections")},
     {"mirror.always", FFF_TEXT("Command", "Keep both sides the same"),
      FFF_TEXT("Command", "Both sides"), "", "mirror",
-     FFF_TEXT("Command", "Mirror all that is drawn on one side, also later on")},
+     FFF_TEXT("Command", "Mirror everything drawn on one side, now and later")},
     {"mirror.once", FFF_TEXT("Command", "Make symmetric once"), FFF_TEXT("Command", "Once"), "",
-     "symmetry",
-     FFF_TEXT("Command", "Copy what stands on one side to the other; later edits are not copied")},
+     "symmetry", FFF_TEXT("Command", "Copy one side to the other; later edits are not copied")},
     {"mirror.apply", FFF_TEXT("Command", "Mirror as shown"), FFF_TEXT("Command", "Mirror"), "",
      "mirror", FFF_TEXT("Command", "Do what is shown")},
 };

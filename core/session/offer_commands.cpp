@@ -5,11 +5,10 @@ namespace fff {
 namespace {
 
 constexpr CommandWords kOfferWords[] = {
-    {"section.takeOffer", FFF_TEXT("Command", "Ma&ke it what is offered"),
-     FFF_TEXT("Command", "Take the offer"), "B", "figure_draw",
-     FFF_TEXT("Command",
-              "Make a circle, an ellipse, straight lines or right angles of what was just drawn "
-              "nearly so, or move its slit in from the edge"),
+    {"section.takeOffer", FFF_TEXT("Command", "Ta&ke the offered shape"),
+     FFF_TEXT("Command", "Offered shape"), "B", "figure_draw",
+     FFF_TEXT("Command", "Turn what was just drawn into the offered circle, ellipse, straight "
+                         "lines or right angles, or move its slit in from the edge"),
      true},
 };
 

@@ -50,13 +50,11 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
     case Kind::InputMissing:
         if (notice.name.empty())
             //: %1 is the name of an operation, %2 what it asks for: "Along"
-            return OperationNoticeTexts::tr(
-                       "%1 makes nothing yet: choose what stands under \"%2\".")
+            return OperationNoticeTexts::tr("%1 makes nothing yet: choose its “%2”.")
                 .arg(name, inputName(operation, notice.role));
         //: %1 is the name of an operation, %2 that of a section
-        return OperationNoticeTexts::tr(
-                   "%1 has lost its section \"%2\", which was deleted. It makes nothing "
-                   "until another one is chosen.")
+        return OperationNoticeTexts::tr("%1 has lost its section “%2”, which was deleted. It makes "
+                                        "nothing until another one is chosen.")
             .arg(name, QString::fromStdString(notice.name));
     case Kind::InputsApart:
         //: %1 is the name of an operation

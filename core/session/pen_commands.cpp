@@ -13,12 +13,9 @@ namespace {
 
 constexpr CommandWords kPenWords[] = {
     {"section.snap", FFF_TEXT("Command", "S&nap"), FFF_TEXT("Command", "Snap"), "Q", "snap",
-     FFF_TEXT("Command",
-              "Draw points to others, to lines level and upright with them, and to the grid"),
-     true},
+     FFF_TEXT("Command", "Snap to points, alignment lines and grid"), true},
     {"section.pen", FFF_TEXT("Command", "P&en"), FFF_TEXT("Command", "Pen"), "P", "pen",
-     FFF_TEXT("Command", "Draw with clicks in place of one stroke: set points, drag to bend"),
-     true},
+     FFF_TEXT("Command", "Draw with clicks instead of one stroke: set points, drag to bend"), true},
 };
 
 bool holdsPen(const Interaction &interaction)

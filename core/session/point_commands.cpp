@@ -22,11 +22,10 @@ constexpr CommandWords kPointWords[] = {
     {"point.delete", FFF_TEXT("Command", "De&lete point"), FFF_TEXT("Command", "Delete point"), "-",
      "point_remove", FFF_TEXT("Command", "Delete the selected control points"), true},
     {"point.smooth", FFF_TEXT("Command", "Smoo&th point"), FFF_TEXT("Command", "Smooth"), "Ctrl+1",
-     "point_smooth",
-     FFF_TEXT("Command", "Let the contour run smoothly through the selected points")},
+     "point_smooth", FFF_TEXT("Command", "Make the contour smooth at the selected points")},
     {"point.symmetric", FFF_TEXT("Command", "S&ymmetric point"), FFF_TEXT("Command", "Symmetric"),
      "Ctrl+3", "point_symmetric",
-     FFF_TEXT("Command", "The same with handles of equal length to both sides")},
+     FFF_TEXT("Command", "Make the contour smooth, with handles of equal length on both sides")},
     {"point.corner", FFF_TEXT("Command", "&Corner point"), FFF_TEXT("Command", "Corner"), "Ctrl+2",
      "point_corner", FFF_TEXT("Command", "Make the selected points corners")},
 };
@@ -213,7 +212,7 @@ void registerPointCommands(CommandRegistry &registry, Session &session, Interact
         {[&](const CommandParameters &, double) { return removeHoles(session, interaction); },
          needsAmongSelected(
              interaction, [&] { return !selectedWithHoles(session, interaction).empty(); },
-             FFF_TEXT("Command", "What is selected has no holes"))});
+             FFF_TEXT("Command", "The selection has no holes"))});
     registerKinds(registry, interaction);
     registerNudges(registry, interaction);
     registry.offer(kPointWords);

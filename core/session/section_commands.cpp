@@ -38,10 +38,10 @@ constexpr CommandWords kSectionWords[] = {
      FFF_TEXT("Command", "Unlink from its parent: it no longer moves with it or keeps its angle")},
     {"section.makeOrthogonal", FFF_TEXT("Command", "Ma&ke orthogonal"),
      FFF_TEXT("Command", "Orthogonal"), "", "orthogonal",
-     FFF_TEXT("Command", "Turn the section to a right angle to the one that it is on")},
+     FFF_TEXT("Command", "Turn the section square to the one it is on")},
     {"section.snapNormal", FFF_TEXT("Command", "Align to nearest a&xis"),
      FFF_TEXT("Command", "Align"), "", "align",
-     FFF_TEXT("Command", "Turn the section so that it faces along an axis of the world")},
+     FFF_TEXT("Command", "Turn the section so that it faces along a world axis")},
     {"section.lock", FFF_TEXT("Command", "Lo&ck"), FFF_TEXT("Command", "Lock"), "", "lock",
      FFF_TEXT("Command", "Protect the selected sections from changes")},
     {"operation.editSource", FFF_TEXT("Command", "Edit &its source"),
@@ -50,10 +50,10 @@ constexpr CommandWords kSectionWords[] = {
     {"operation.detach", FFF_TEXT("Command", "Deta&ch this one"), FFF_TEXT("Command", "Detach"), "",
      "detach",
      FFF_TEXT("Command",
-              "Make a drawn section of the selected one; its operation makes the others")},
+              "Turn the selected section into a drawn one; its operation still makes the others")},
     {"operation.leaveOut", FFF_TEXT("Command", "Lea&ve this one out"),
      FFF_TEXT("Command", "Leave out"), "", "hide",
-     FFF_TEXT("Command", "Do not make the selected section; its operation makes the others")},
+     FFF_TEXT("Command", "Leave the selected section out; its operation still makes the others")},
 };
 
 class SectionCommands
@@ -338,16 +338,16 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
     const CommandRule selected = needsSelection(interaction);
     const CommandRule onSome = needsAmongSelected(
         interaction, [commands] { return commands.isOnSome(); },
-        FFF_TEXT("Command", "What is selected is on no other section"));
+        FFF_TEXT("Command", "The selection is not on another section"));
     const CommandRule drawn = needsAmongSelected(
         interaction, [commands] { return commands.hasDrawn(); },
-        FFF_TEXT("Command", "What is selected is made by an operation"));
+        FFF_TEXT("Command", "The selection is made by an operation"));
     const CommandRule symmetric = needsAmongSelected(
         interaction, [commands] { return commands.canBeSymmetric(); },
-        FFF_TEXT("Command", "What is selected is not symmetric"));
+        FFF_TEXT("Command", "The selection is not symmetric"));
     const CommandRule made = needsAmongSelected(
         interaction, [commands] { return commands.hasMade(); },
-        FFF_TEXT("Command", "What is selected is drawn"));
+        FFF_TEXT("Command", "The selection is drawn, not made by an operation"));
     const Row rows[] = {
         {"section.transform", &Commands::transform, needsSections(session),
          inHand(interaction, "section.transform")},

@@ -26,9 +26,9 @@ constexpr CommandWords kSelectionWords[] = {
     {"edit.selectParallel", FFF_TEXT("Command", "&Select parallel"),
      FFF_TEXT("Command", "Parallel"), "", "select_parallel",
      FFF_TEXT("Command", "Select all sections parallel to the selected ones")},
-    {"edit.selectSameStock", FFF_TEXT("Command", "Select of the same stoc&k"),
+    {"edit.selectSameStock", FFF_TEXT("Command", "Select same stoc&k"),
      FFF_TEXT("Command", "Same stock"), "", "stocks",
-     FFF_TEXT("Command", "Select all sections of the stocks of the selected ones")},
+     FFF_TEXT("Command", "Select all sections of the same stock as the selected ones")},
 };
 
 class SelectionCommands

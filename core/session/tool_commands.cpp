@@ -159,7 +159,7 @@ void registerGround(CommandRegistry &registry, Session &session)
                       if (session.committed().sectionCount() == 0)
                           return kNothingThere;
                       if (!droppedToGround(session.committed()))
-                          return FFF_TEXT("Command", "The model stands on the ground");
+                          return FFF_TEXT("Command", "The model is on the ground already");
                       return {};
                   }});
 }

@@ -177,7 +177,7 @@ private Q_SLOTS:
             joins += at(step, "joins").isArray();
         QCOMPARE(joins, joining);
         const Run text = run({QStringLiteral("parts"), path});
-        QCOMPARE(text.out.count("as one, which joins"), joining);
+        QCOMPARE(text.out.count("as one, joining"), joining);
     }
 
 private:

@@ -28,13 +28,13 @@ namespace {
 
 constexpr CommandWords kWords[] = {
     {"file.open", FFF_TEXT("Command", "&Open…"), FFF_TEXT("Command", "Open"), "Ctrl+O", "open",
-     FFF_TEXT("Command", "Open a model, also one of FlatFab")},
+     FFF_TEXT("Command", "Open a model, also from FlatFab")},
     {"file.insert", FFF_TEXT("Command", "&Insert model…"), FFF_TEXT("Command", "Insert"),
      "Ctrl+Shift+I", "insert_model",
      FFF_TEXT("Command", "Add the sections of another model to this one")},
     {"file.addToLibrary", FFF_TEXT("Command", "Add to the &library"),
      FFF_TEXT("Command", "To library"), "", "keep",
-     FFF_TEXT("Command", "Keep what is selected in the library, for other models")},
+     FFF_TEXT("Command", "Keep the selection in the library, for other models")},
     {"file.save", FFF_TEXT("Command", "&Save"), FFF_TEXT("Command", "Save"), "Ctrl+S", "save",
      FFF_TEXT("Command", "Save the model")},
     {"file.saveAs", FFF_TEXT("Command", "Save &as…"), FFF_TEXT("Command", "Save as"),
@@ -57,13 +57,14 @@ constexpr CommandWords kWords[] = {
      FFF_TEXT("Command", "Close all windows and the program")},
     {"view.properties", FFF_TEXT("Command", "Go to Properties"), FFF_TEXT("Command", "Properties"),
      "", "settings",
-     FFF_TEXT("Command", "To the first field of what is selected; in the view, Enter does so")},
+     FFF_TEXT("Command",
+              "Go to the first field of the selection; in the view, Enter does the same")},
     {"view.docks", FFF_TEXT("Command", "Hide all doc&ks"), FFF_TEXT("Command", "Hide docks"), "F9",
      "docks", FFF_TEXT("Command", "Hide or show the panels at the sides")},
     {"view.fullScreen", FFF_TEXT("Command", "F&ull screen"), FFF_TEXT("Command", "Full screen"),
      "F11", "full_screen", FFF_TEXT("Command", "Fill the screen with the window")},
     {"view.resetWindow", FFF_TEXT("Command", "Reset &window"), FFF_TEXT("Command", "Reset window"),
-     "", "reset_window", FFF_TEXT("Command", "Put all panels back where they were at first")},
+     "", "reset_window", FFF_TEXT("Command", "Put all panels back in their original places")},
     {"view.nextPane", FFF_TEXT("Command", "&Next part of the window"),
      FFF_TEXT("Command", "Next part"), "F6", "next_pane",
      FFF_TEXT("Command", "Go to the next part of the window: tool bar, left, view, right")},
@@ -80,7 +81,7 @@ constexpr CommandWords kWords[] = {
      "A", "steps", FFF_TEXT("Command", "Show step by step how the model is put together"), true},
     {"fabricate.stocks", FFF_TEXT("Command", "Stoc&ks…"), FFF_TEXT("Command", "Stocks"), "",
      "stocks", FFF_TEXT("Command", "Sheet materials: thickness, strength, kerf and sheet size")},
-    {"edit.find", FFF_TEXT("Command", "&Find an action…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
+    {"edit.find", FFF_TEXT("Command", "&Find a command…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
      "search", FFF_TEXT("Command", "Type to find anything that the program can do")},
     {"help.firstSteps", FFF_TEXT("Command", "First ste&ps"), FFF_TEXT("Command", "First steps"),
      "F1", "help", FFF_TEXT("Command", "How a model is made, step by step, with pictures")},
@@ -128,7 +129,7 @@ void MainWindow::addCommands()
                 return why;
             if (m_files && m_files->canExportAgain())
                 return {};
-            return FFF_TEXT("Command", "It was not exported yet");
+            return FFF_TEXT("Command", "It has not been exported yet");
         });
     add(
         "file.revert", [this] { m_files->revert(); },
@@ -136,8 +137,8 @@ void MainWindow::addCommands()
             if (m_files && m_files->canRevert())
                 return {};
             if (!m_files || m_files->path().isEmpty())
-                return FFF_TEXT("Command", "It was never saved");
-            return FFF_TEXT("Command", "Nothing was changed since it was saved");
+                return FFF_TEXT("Command", "It has never been saved");
+            return FFF_TEXT("Command", "Nothing has changed since it was saved");
         });
     add("file.settings", [this] { SettingsDialog(listedActions(*menuBar()), this).exec(); });
     add("file.close", [this] { close(); });

@@ -264,7 +264,7 @@ private Q_SLOTS:
         document = *addSection(std::move(document), rib);
         const Planned model = planned(document);
         QCOMPARE(stepTitle(*model.steps, 1), QStringLiteral("Step 2 of 2"));
-        QCOMPARE(stepText(*model.steps, 0), QStringLiteral("begin with Spine"));
+        QCOMPARE(stepText(*model.steps, 0), QStringLiteral("start with Spine"));
         QCOMPARE(stepText(*model.steps, 1), QStringLiteral("slide Rib down into Spine"));
         const Planned bent = planned(underAnArm(40));
         QVERIFY(stepText(*bent.steps, 1).contains(QStringLiteral("round the corner")));
@@ -272,7 +272,7 @@ private Q_SLOTS:
         QStringList texts;
         for (int i = 0; i < group.steps->playback.stepCount(); ++i)
             texts += stepText(*group.steps, i);
-        QVERIFY2(texts.filter(QStringLiteral("begin aside with")).size() == 1,
+        QVERIFY2(texts.filter(QStringLiteral("start a group of its own with")).size() == 1,
                  qPrintable(texts.join(u'\n')));
         // Wrong: nobody would know which parts on the table are meant.
         QVERIFY2(texts.filter(QStringLiteral("(together since step ")).size() == 1,

@@ -122,7 +122,7 @@ void TestActionFinder::theNameCountsMoreThanTheMenu()
 void TestActionFinder::guessesGiveWayToWords()
 {
     const QList<ListedAction> actions = {
-        {nullptr, QStringLiteral("Find an action"), QStringLiteral("Help"), QStringLiteral("a.b")},
+        {nullptr, QStringLiteral("Find a command"), QStringLiteral("Help"), QStringLiteral("a.b")},
         {nullptr, QStringLiteral("Fit everything"), QStringLiteral("View"), QStringLiteral("a.c")}};
     QCOMPARE(foundActions(QStringLiteral("fit"), actions).size(), 1);
     QCOMPARE(foundActions(QStringLiteral("fdn"), actions).size(), 1);

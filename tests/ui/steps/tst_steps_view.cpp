@@ -134,7 +134,7 @@ void TestStepsView::theActionShowsThem()
     QVERIFY(actionOf(*m_window, "check.showAssembly")->isChecked());
     QCOMPARE(
         sentence(),
-        QStringLiteral("Step 1 of 4: begin with %1").arg(QString::fromStdString(first().name)));
+        QStringLiteral("Step 1 of 4: start with %1").arg(QString::fromStdString(first().name)));
     QCOMPARE(shownParts(), std::size_t(1));
     QVERIFY(m_view->rect().contains(bar()->geometry()));
     key(Qt::Key_Escape);
