@@ -15,7 +15,8 @@ AnalysedFile analysedFile(const char *verbName, const QStringList &arguments,
 {
     AnalysedFile result;
     parser.addOption(
-        {QStringLiteral("json"), QCoreApplication::translate("CommandLine", "For machines.")});
+        {QStringLiteral("json"),
+         QCoreApplication::translate("CommandLine", "Prints JSON, for other programs.")});
     addDocumentOptions(parser);
     const Verb &verb = verbNamed(verbName);
     const Arguments parsed = parse(parser, verb, arguments, 1);

@@ -46,13 +46,13 @@ QString stepLine(const AssemblyPlan &plan, const std::vector<StepGroup> &groups,
     const QString number = named(static_cast<int>(index));
     const QString which = numbers.join(QStringLiteral(", "));
     if (index == 0)
-        return tr("Step %1: begin with part %2").arg(number, which);
+        return tr("Step %1: start with part %2").arg(number, which);
     if (step.onto.empty())
-        return tr("Step %1: begin aside with part %2").arg(number, which);
+        return tr("Step %1: start a group of its own with part %2").arg(number, which);
     const std::vector<int> &joins = groups[index].joins;
     return joins.empty()
                ? tr("Step %1: part %2").arg(number, which)
-               : tr("Step %1: parts %2 as one, which joins what steps %3 and %4 have put together")
+               : tr("Step %1: parts %2 as one, joining what steps %3 and %4 have put together")
                      .arg(number, which, named(joins.front()), named(joins.back()));
 }
 
@@ -82,7 +82,7 @@ QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const Info
             for (const int section : sectionsOf(analysis.bodies, groups[g]))
                 names += isLoosePiece(analysis.bodies, groups[g])
                              //: %1 is the name of a section
-                             ? tr("a piece of %1").arg(nameOf(model, section))
+                             ? tr("a part of %1").arg(nameOf(model, section))
                              : nameOf(model, section);
         names.removeDuplicates();
         lines += tr("Not connected to the rest: %1").arg(names.join(QStringLiteral(", ")));
@@ -124,7 +124,7 @@ QStringList partsText(const std::vector<Part> &parts, const Model &model, const 
     }
     if (lines.isEmpty())
         lines += model.sectionCount() == 0
-                     ? tr("Nothing to cut: the model has no section.")
+                     ? tr("Nothing to cut: the model has no sections.")
                      : tr("Nothing to cut: the slits leave nothing of any section.");
     const std::vector<StepGroup> groups = stepGroups(plan);
     for (std::size_t i = 0; i < plan.steps.size() && plan.steps.size() > 1; ++i)

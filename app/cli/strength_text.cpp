@@ -93,7 +93,7 @@ QString balanceText(Balance balance)
     case Balance::Topples:
         return tr("Falls over.");
     case Balance::LineSupport:
-        return tr("Stands on a line only: it falls to either side.");
+        return tr("Stands on a single line: it falls to either side.");
     case Balance::Floating:
         return tr("A part of it has nothing to stand on.");
     case Balance::NoContact:
@@ -101,7 +101,7 @@ QString balanceText(Balance balance)
     case Balance::Slides:
         return tr("Slides away over the ground.");
     case Balance::Mechanism:
-        return tr("Moves within itself.");
+        return tr("Its parts move against each other.");
     }
     return {};
 }
@@ -118,7 +118,7 @@ QString verdictText(HoldVerdict verdict)
     case HoldVerdict::PullsOut:
         return tr("A joint is pulled open.");
     case HoldVerdict::Unstable:
-        return tr("What does not stand still is not looked at for strength.");
+        return tr("Strength is worked out only for what stands still.");
     case HoldVerdict::NotRated:
         return tr("Not rated: the strength of a stock is not known.");
     case HoldVerdict::NotWorkedOut:
@@ -262,18 +262,18 @@ QStringList strengthWarnings(const Simulated &simulated, const Analysis &analysi
     for (std::size_t i = 0; i < strength.made.links.size(); ++i) {
         const Link &link = strength.made.structure.links[i];
         if (equilibrium.links[i].isOpen)
-            lines += tr("Joint %1–%2 is pulled open with %3 N: glue it, or turn its slits round.")
+            lines += tr("Joint %1–%2 is pulled open with %3 N: glue it, or flip its slits.")
                          .arg(quoted(analysis, link.a), quoted(analysis, link.b),
                               figure(equilibrium.links[i].asked));
     }
     for (const int body : strength.stiff)
-        lines += tr("%1 could not be worked out as a sheet that bends, and is taken for rigid.")
+        lines += tr("How %1 bends could not be worked out; it is treated as rigid.")
                      .arg(quoted(analysis, body));
     if (strength.isBendingLost)
-        lines += tr("How sections bend could not be worked out; they are taken for rigid.");
+        lines += tr("How sections bend could not be worked out; they are treated as rigid.");
     if (equilibrium.indeterminacy() > 0 && !strength.isElastic)
-        lines += tr("Joints share what they bear in more than one way (indeterminate, %1): the "
-                    "worst of several ways counts.")
+        lines += tr("Joints can share the load in more than one way (indeterminate, %1); the worst "
+                    "way counts.")
                      .arg(equilibrium.indeterminacy());
     for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
         const SectionStrength section = strengthOfSection(strength, analysis, i);
@@ -281,18 +281,17 @@ QStringList strengthWarnings(const Simulated &simulated, const Analysis &analysi
         if (equilibrium.balance() == Balance::Stands && !section.isWorkedOut)
             lines += tr("The stress in %1 could not be worked out.").arg(name);
         else if (!section.isRated)
-            lines += tr("%1 is not rated: no strength is known of its stock.").arg(name);
+            lines += tr("%1 is not rated: the strength of its stock is not known.").arg(name);
     }
     for (const PlacedLoad &placed : strength.made.besideLoads) {
         const Load &load = analysis.model.document.loads[static_cast<std::size_t>(placed.load)];
         const QString name = QString::fromStdString(
             analysis.model.section(static_cast<std::size_t>(placed.section))->name);
-        lines +=
-            load.isPush()
-                ? tr("A push of %1 N is on no material of %2; the nearest part of it bears it.")
-                      .arg(figure(load.push.norm()), name)
-                : tr("A weight of %1 is on no material of %2; the nearest part of it bears it.")
-                      .arg(massText(load.mass), name);
+        lines += load.isPush()
+                     ? tr("A push of %1 N misses the material of %2; the nearest place takes it.")
+                           .arg(figure(load.push.norm()), name)
+                     : tr("A weight of %1 misses the material of %2; the nearest place takes it.")
+                           .arg(massText(load.mass), name);
     }
     return lines;
 }
@@ -361,7 +360,7 @@ QString amountText(double kilograms, const ModelStructure &made)
     const double times = kilograms / placedMass(made.structure);
     if (made.weights == 0.0)
         return tr("%1 N in all").arg(figure(times * made.pushes));
-    return tr("%1 times what acts on it").arg(figure(times));
+    return tr("%1 times the load").arg(figure(times));
 }
 
 } // namespace
@@ -373,20 +372,20 @@ QStringList strengthText(const Simulated &simulated, const Analysis &analysis)
     const bool isShown = strength.equilibrium().balance() == Balance::Stands;
     if (isShown && strength.worst >= 0) {
         const BodyStrength &body = strength.bodies[static_cast<std::size_t>(strength.worst)];
-        lines += tr("Weakest in %1: %2 of what its stock bears in the neck, %3 in the corner.")
+        lines += tr("Weakest in %1: %2 of its stock's strength in the neck, %3 in the corner.")
                      .arg(quoted(analysis, strength.worst), percent(body.neckUse),
                           percent(body.cornerUse));
     }
     if (isShown && simulated.bent && simulated.bent->most >= kToldBending)
-        lines += tr("Bends %1 mm, %2 most.")
+        lines += tr("Bends %1 mm, most of all %2.")
                      .arg(figure(simulated.bent->most), quoted(analysis, simulated.bent->mostIn));
     if (simulated.bearable.cracksFrom)
         lines +=
             tr("May crack from %1.").arg(amountText(*simulated.bearable.cracksFrom, strength.made));
     if (simulated.bearable.breaksAt)
         lines += tr("Breaks at %1.").arg(amountText(*simulated.bearable.breaksAt, strength.made));
-    lines += tr("Weighs %1 N with all that hangs on it.")
-                 .arg(figure(totalWeight(strength.made.structure)));
+    lines +=
+        tr("Weighs %1 N with everything on it.").arg(figure(totalWeight(strength.made.structure)));
     if (isShown)
         lines += reactionsText(strength, analysis);
     return lines + strengthWarnings(simulated, analysis);

@@ -219,7 +219,7 @@ int runOperations(const QStringList &arguments)
 {
     const Verb &verb = verbNamed("operations");
     QCommandLineParser parser;
-    parser.addOption({QStringLiteral("json"), tr("For machines.")});
+    parser.addOption({QStringLiteral("json"), tr("Prints JSON, for other programs.")});
     addDocumentOptions(parser);
     // Without a file: what there is.
     const bool hasFile = std::any_of(arguments.begin(), arguments.end(),

@@ -30,9 +30,10 @@ int runParts(const QStringList &arguments)
     const auto tr = [](const char *text) {
         return QCoreApplication::translate("CommandLine", text);
     };
-    parser.addOption({QStringLiteral("json"), tr("For machines; steps are counted from 0.")});
+    parser.addOption(
+        {QStringLiteral("json"), tr("Prints JSON, for other programs; steps are counted from 0.")});
     parser.addOption({QStringLiteral("tolerance"),
-                      tr("Largest distance of the chords from the curves (0.01)."),
+                      tr("Largest distance between chords and curves (0.01)."),
                       QStringLiteral("MM")});
     addDocumentOptions(parser);
     const Verb &verb = verbNamed("parts");

@@ -37,13 +37,13 @@ struct Picture : PictureOptions
 QString readPicture(const QCommandLineParser &parser, Picture &picture)
 {
     if (!parser.isSet(QStringLiteral("output")))
-        return tr("-o is missing: the file to write.");
+        return tr("-o is missing: give the file to write.");
     const QString output = parser.value(QStringLiteral("output"));
     if (output.isEmpty())
         return tr("-o: a file needs a name.");
     if (output != QStringLiteral("-") &&
         QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
-        return tr("%1 is of no kind that can be written; expected .png.").arg(output);
+        return tr("%1: this kind of file cannot be written; expected .png.").arg(output);
     if (const QString reason = readPictureOptions(parser, picture); !reason.isEmpty())
         return reason;
     picture.isAccurate = parser.isSet(QStringLiteral("accurate"));
@@ -59,7 +59,7 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
             picture.showsForces = true;
         else
             return tr("--show: found \"%1\", expected labels, checks, stress, forces, or several "
-                      "with commas.")
+                      "separated by commas.")
                 .arg(what);
     }
     return {};
@@ -130,7 +130,7 @@ Strained strained(AnalysisPointer analysis, const Picture &picture, const QStrin
     StrengthCaches caches;
     Strained known{strengthOf(*analysis, rules, caches), nullptr};
     if (!areStressesKnown(known.strength)) {
-        printError(tr("%1: no forces are shown, as it does not stand, or they could not be worked "
+        printError(tr("%1: no forces are shown; it does not stand, or they could not be worked "
                       "out. \"check\" says why.")
                        .arg(file));
     } else if (picture.isAccurate && picture.showsStress) {
@@ -172,11 +172,10 @@ int runRender(const QStringList &arguments)
                       tr("The PNG file to write; - is standard output."),
                       QStringLiteral("OUT")});
     addPictureOptions(parser);
-    parser.addOption(
-        {QStringLiteral("show"),
-         tr("labels: the sections' names; checks: outlines what has a problem; stress: "
-            "the weakest cross-sections; forces: what feet and joints bear."),
-         QStringLiteral("WHAT,...")});
+    parser.addOption({QStringLiteral("show"),
+                      tr("labels: the sections' names; checks: outlines sections with a problem; "
+                         "stress: the weakest cross-sections; forces: what feet and joints carry."),
+                      QStringLiteral("WHAT,...")});
     parser.addOption({QStringLiteral("accurate"),
                       tr("Stress by finite elements, in colours all over the sections; takes "
                          "seconds.")});
@@ -227,7 +226,7 @@ int runRender(const QStringList &arguments)
     QBuffer png;
     png.open(QIODevice::WriteOnly);
     if (!image.save(&png, "PNG")) {
-        printError(tr("The picture could not be made a PNG file."));
+        printError(tr("The picture could not be written as a PNG file."));
         return CannotWrite;
     }
     const Result<void> written =

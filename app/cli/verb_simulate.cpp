@@ -10,14 +10,16 @@ namespace fff::cli {
 int runSimulate(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.addOption({QStringLiteral("accurate"),
-                      QCoreApplication::translate("CommandLine",
-                                                  "Sections bend where joints share a load: finite "
-                                                  "elements of each; takes seconds.")});
+    parser.addOption(
+        {QStringLiteral("accurate"),
+         QCoreApplication::translate(
+             "CommandLine",
+             "Sections bend where joints share a load, by finite elements; takes seconds.")});
     parser.addOption(
         {QStringLiteral("lasting"),
-         QCoreApplication::translate("CommandLine", "What acts stays for months: each stock bears "
-                                                    "the share that it says.")});
+         QCoreApplication::translate(
+             "CommandLine",
+             "The load stays for months: each stock keeps only its share of strength for that.")});
     addWeightOptions(parser);
     AnalysedFile model = analysedFile("simulate", arguments, parser);
     if (model.status)

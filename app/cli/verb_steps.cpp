@@ -39,14 +39,14 @@ struct Wish
 QString read(const QCommandLineParser &parser, Wish &wish)
 {
     if (!parser.isSet(QStringLiteral("output")))
-        return tr("-o is missing: the file to write.");
+        return tr("-o is missing: give the file to write.");
     const QString output = parser.value(QStringLiteral("output"));
     if (output.isEmpty())
         return tr("-o: a file needs a name.");
     const QString suffix =
         output == QStringLiteral("-") ? kPaper : QFileInfo(output).suffix().toLower();
     if (suffix != kPaper && suffix != kPictures)
-        return tr("%1 is of no kind that can be written; expected .pdf or .png.").arg(output);
+        return tr("%1: this kind of file cannot be written; expected .pdf or .png.").arg(output);
     wish.files.kind = suffix == kPaper ? StepsFiles::Kind::Paper : StepsFiles::Kind::Pictures;
     if (suffix == kPaper && parser.isSet(QStringLiteral("size")))
         return tr("--size is for .png; a PDF has the size of its paper.");
@@ -87,7 +87,7 @@ int write(const QString &output, StepsFiles &files)
     const int count = files.pieceCount();
     for (int i = 0; i < count; ++i) {
         if (!files.makePiece(i)) {
-            printError(tr("The picture could not be made a PNG file."));
+            printError(tr("The picture could not be written as a PNG file."));
             return CannotWrite;
         }
         showProgress(i + 1, count);
@@ -111,7 +111,8 @@ int runSteps(const QStringList &arguments)
                       tr("A PDF file with all steps (- is standard output), or OUT.png for "
                          "OUT-01.png, OUT-02.png and so on."),
                       QStringLiteral("OUT")});
-    parser.addOption({QStringLiteral("paper"), tr("a4 or letter (as is usual where you are)."),
+    parser.addOption({QStringLiteral("paper"),
+                      tr("a4 or letter (by default as is usual in your country)."),
                       QStringLiteral("SIZE")});
     addPictureOptions(parser);
     addDocumentOptions(parser);

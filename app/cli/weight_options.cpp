@@ -56,8 +56,8 @@ int sectionNamed(const Model &model, const QString &name)
 void addWeightOptions(QCommandLineParser &parser)
 {
     parser.addOption({QStringLiteral("weight"),
-                      tr("Hang a weight on a section, at its middle or at X,Y in mm: "
-                         "\"Rib 4=350g\", \"Rib 4@10,25=0.35kg\". As often as you like."),
+                      tr("Puts a weight on a section, in its middle or at X,Y in mm: \"Rib "
+                         "4=350g\", \"Rib 4@10,25=0.35kg\". Can be repeated."),
                       QStringLiteral("NAME[@X,Y]=MASS")});
 }
 

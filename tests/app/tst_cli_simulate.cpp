@@ -99,7 +99,7 @@ void TestCliSimulate::pushesAreNoMass()
                    : QByteArray();
     };
     QVERIFY(run({u"simulate"_s, kStand}).out.contains(" g in all."));
-    QVERIFY(said(model).contains(" times what acts on it."));
+    QVERIFY(said(model).contains(" times the load."));
     model.remove(u"weights"_s);
     const QByteArray pushed = said(model);
     QVERIFY(pushed.contains(" N in all.") && !pushed.contains("g in all"));
