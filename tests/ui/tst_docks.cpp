@@ -425,7 +425,7 @@ void TestDocks::aCheckOfAJointSelectsTheJoint()
     session().reset(twoSections(polygonShape(rectangle(-50, 0, 50, 60)), front(),
                                 polygonShape(rectangle(-50, 0, 50, 60)), turned(0.4))
                         .document);
-    QTRY_VERIFY(find<CheckRow>("checkRow0") && firstCheck().contains(QStringLiteral("meets")));
+    QTRY_VERIFY(find<CheckRow>("checkRow0") && firstCheck().contains(QStringLiteral(" meet ")));
     QTest::mouseClick(find<CheckRow>("checkRow0"), Qt::LeftButton);
     const Interaction &interaction = m_window->bench().interaction();
     QVERIFY(interaction.selectedJoint() ==

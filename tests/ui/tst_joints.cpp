@@ -115,7 +115,8 @@ void TestJoints::aMarkIsClickedAndDragged()
     QVERIFY(field<QPushButton>("jointReset")->isEnabled());
     QTest::mouseClick(field<QPushButton>("jointReset"), Qt::LeftButton);
     QVERIFY(session().committed().document.jointOverrides.empty());
-    QCOMPARE(session().history()->undoText(), QStringLiteral("Body · Head: reset to automatic"));
+    QCOMPARE(session().history()->undoText(),
+             QStringLiteral("Body · Head: restore automatic settings"));
     // Wrong: the focus goes on to another dock.
     QCOMPARE(QApplication::focusWidget(), field<QComboBox>("jointKind"));
 }
@@ -203,7 +204,7 @@ void TestJoints::kindsThatCannotBeHadSayWhy()
     QVERIFY(!field<QWidget>("jointOpens")->isVisible());
     auto *problem = field<QLabel>("jointProblem");
     QVERIFY(problem->isVisible());
-    QVERIFY(problem->text().startsWith(QStringLiteral("Body and Head collide.<br>"))); // wanted so
+    QVERIFY(problem->text().startsWith(QStringLiteral("Body and Head overlap.<br>"))); // wanted so
     QTest::keyClick(kinds, Qt::Key_Home);
     QTRY_COMPARE(state().kind, JointKind::CrossLap);
     QVERIFY(session().committed().document.jointOverrides.empty());
@@ -408,7 +409,7 @@ void TestJoints::theTabKeyGoesDownThePage()
                                QStringLiteral("jointShare2"),
                                QStringLiteral("jointShare2"),
                                QStringLiteral("Slits"),
-                               QStringLiteral("Reset to automatic")};
+                               QStringLiteral("Restore automatic settings")};
     QCOMPARE(inTabOrder(m_window->findChild<JointPage *>()), expected);
 }
 

@@ -32,7 +32,7 @@ QString refusalText(const Expression &expression)
     case Fault::Unreadable:
         return ExpressionTexts::tr("\u201c%1\u201d cannot be read here.").arg(piece);
     case Fault::Unfinished:
-        return ExpressionTexts::tr("Something is missing behind \u201c%1\u201d.").arg(piece);
+        return ExpressionTexts::tr("Something is missing after “%1”.").arg(piece);
     case Fault::OpenParenthesis:
         return ExpressionTexts::tr("A parenthesis is not closed.");
     case Fault::LooseParenthesis:
@@ -40,14 +40,14 @@ QString refusalText(const Expression &expression)
     case Fault::DivisionByZero:
         return ExpressionTexts::tr("Nothing can be divided by 0.");
     case Fault::UnknownName:
-        return ExpressionTexts::tr("No number is called \u201c%1\u201d.").arg(piece);
+        return ExpressionTexts::tr("There is no value named “%1”.").arg(piece);
     case Fault::NotALength:
-        return ExpressionTexts::tr("This makes no length; multiply a length by a plain number.");
+        return ExpressionTexts::tr("This is not a length; multiply a length by a plain number.");
     case Fault::NotAMass:
-        return ExpressionTexts::tr("This makes no mass; multiply a mass by a plain number.");
+        return ExpressionTexts::tr("This is not a mass; multiply a mass by a plain number.");
     case Fault::NoThickness:
         return ExpressionTexts::tr(
-            "\u201ct\u201d is the thickness of the stock; there is not one stock here.");
+            "“t” is the thickness of the stock; there is no single stock here.");
     }
     return {};
 }

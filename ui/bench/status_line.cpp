@@ -150,9 +150,8 @@ void StatusLine::sayUndone(const QString &step)
 void StatusLine::sayRedone(const QString &step)
 {
     const QString name = step.toHtmlEscaped(), keys = m_keysOf("edit.undo").toHtmlEscaped();
-    sayMarked(keys.isEmpty()
-                  ? tr("Did \u201c%1\u201d again.").arg(name)
-                  : tr("Did \u201c%1\u201d again. <kbd>%2</kbd> takes it back.").arg(name, keys));
+    sayMarked(keys.isEmpty() ? tr("Redid “%1”.").arg(name)
+                             : tr("Redid “%1”. <kbd>%2</kbd> takes it back.").arg(name, keys));
 }
 
 void StatusLine::refresh()

@@ -85,16 +85,16 @@ CommandSearch::CommandSearch(const QMenuBar &menus, QWidget *window)
 {
     setObjectName(QStringLiteral("commandSearch"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setAccessibleName(tr("Find an action"));
+    setAccessibleName(tr("Find a command"));
     m_field = new QLineEdit(this);
     m_field->setObjectName(QStringLiteral("commandSearchField"));
     m_field->setPlaceholderText(tr("Type what you want to do"));
-    m_field->setAccessibleName(tr("Find an action"));
+    m_field->setAccessibleName(tr("Find a command"));
     m_field->setMinimumHeight(32);
     m_field->installEventFilter(this);
     m_list = new QListWidget(this);
     m_list->setObjectName(QStringLiteral("commandSearchList"));
-    m_list->setAccessibleName(tr("Actions that fit"));
+    m_list->setAccessibleName(tr("Matching commands"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setUniformItemSizes(true);
     m_list->setItemDelegate(new Row(m_list));
@@ -141,7 +141,7 @@ void CommandSearch::fill(const QString &query)
     if (m_list->count() == 0) {
         auto *none = new QListWidgetItem(m_list);
         none->setData(NameRole, tr("No matching commands"));
-        none->setData(PathRole, tr("Try another word for it"));
+        none->setData(PathRole, tr("Try another word"));
         none->setFlags(Qt::NoItemFlags);
     }
     m_list->setCurrentRow(0);

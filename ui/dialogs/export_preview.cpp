@@ -133,7 +133,7 @@ void ExportPreview::showSheet()
     SheetView::Content content;
     content.isOlder = m_work.isWorking();
     if (m_isSolids) {
-        content.note = tr("Solids have no sheets: the file has the model as it stands, in true "
+        content.note = tr("Solids have no sheets: the file holds the model as it stands, true to "
                           "size, with its slits.");
     } else if (!sheets.empty()) {
         const std::size_t index = sheets[static_cast<std::size_t>(m_sheet)];
@@ -172,7 +172,7 @@ void ExportPreview::refreshHead()
         m_state->setText(tr("Working…"));
     else if (cutting)
         //: %1 is a number with a percent sign
-        m_state->setText(tr("Packed: %1")
+        m_state->setText(tr("Filled: %1")
                              .arg(QStringLiteral("<b>%1 %</b>")
                                       .arg(locale().toString(qRound(100.0 * cutting->usedShare)))));
     else

@@ -84,7 +84,7 @@ QuestionRow *ExportQuestions::makeStock()
     m_thickness->setObjectName(QStringLiteral("exportThickness"));
     m_thickness->setAccessibleName(tr("Measured thickness"));
     m_thickness->setAccessibleDescription(
-        tr("Of the sheet that you will cut, by calipers: slits are drawn to fit it."));
+        tr("Measure the sheet that you will cut with calipers: slits are drawn to fit it."));
     m_thickness->setToolTip(m_thickness->accessibleDescription());
     words->setBuddy(m_thickness);
     row->addWidget(words);

@@ -78,7 +78,7 @@ PropertyGroup *ExportRows::makeLayout()
     auto *rotation = new ChoiceRow(
         tr("Rotation"), "exportRotation",
         [this] {
-            return Choices{{{tr("As it suits"), {}}, {tr("By quarter turns"), {}}},
+            return Choices{{{tr("Any angle"), {}}, {tr("Quarter turns"), {}}},
                            m_choices.layout.turnsFreely ? 0 : 1};
         },
         [this](int choice) {
@@ -86,15 +86,15 @@ PropertyGroup *ExportRows::makeLayout()
             Q_EMIT layoutChanged();
         },
         group);
-    rotation->setToolTip(tr("By quarter turns where the sheet has a grain"));
+    rotation->setToolTip(tr("Quarter turns for a sheet with a grain"));
     group->add(rotation);
     m_rows.push_back(rotation);
     auto *bar = new QCheckBox(tr("100 mm, below the sheets"));
     auto *reference = new EditorRow(
-        tr("Bar to measure"), "exportReference", bar,
+        tr("Measuring bar"), "exportReference", bar,
         [this, bar] { bar->setChecked(m_choices.hasReference); }, group);
-    reference->setToolTip(tr("Drawn beside the sheets, not cut: measure it on your machine to be "
-                             "sure of the size"));
+    reference->setToolTip(
+        tr("Drawn beside the sheets, not cut: measure it on your machine to check the size"));
     connect(bar, &QCheckBox::clicked, this, [this](bool isOn) {
         m_choices.hasReference = isOn;
         Q_EMIT layoutChanged();

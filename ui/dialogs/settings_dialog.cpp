@@ -205,18 +205,18 @@ QWidget *SettingsDialog::makeGeneral()
                  [](int index) { settings().setUnit(static_cast<LengthUnit>(index)); });
     form->note(tr("What is shown and typed. Files always hold millimetres."));
     form->choice("settingsTheme", tr("Colours"),
-                 {tr("As the system"), tr("Light"), tr("Dark"), tr("High contrast")},
+                 {tr("Same as the system"), tr("Light"), tr("Dark"), tr("High contrast")},
                  static_cast<int>(settings().colourScheme()),
                  [](int index) { settings().setColourScheme(static_cast<ColourScheme>(index)); });
     // Languages are named in themselves, so that whoever got lost finds back.
     const QStringList codes = {QString(), QStringLiteral("en"), QStringLiteral("de")};
     form->choice("settingsLanguage", tr("Language"),
-                 {tr("As the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
+                 {tr("Same as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
                  static_cast<int>(codes.indexOf(settings().language())),
                  [codes](int index) { settings().setLanguage(codes.at(index)); });
     form->note(tr("Takes effect after a restart."));
-    form->box("settingsStartPage", tr("Show the start page at start"), settings().showsStartPage(),
-              [](bool on) { settings().setShowsStartPage(on); });
+    form->box("settingsStartPage", tr("Show the start page at startup"),
+              settings().showsStartPage(), [](bool on) { settings().setShowsStartPage(on); });
     return form;
 }
 
@@ -232,7 +232,7 @@ QWidget *SettingsDialog::makeView()
                       {Settings::kMinTurnAngle, Settings::kMaxTurnAngle}, tr("°"),
                       settings().turnAngle(), [](int angle) { settings().setTurnAngle(angle); });
     form->note(tr("At 90° you look straight at the new plane. With less, the section that you "
-                  "started on stays to be seen."));
+                  "started on stays visible."));
     form->choice("settingsNavigation", tr("Mouse buttons like"),
                  {QStringLiteral("FlatFitFab"), QStringLiteral("Blender"),
                   QStringLiteral("FreeCAD"), QStringLiteral("Onshape")},
@@ -241,7 +241,7 @@ QWidget *SettingsDialog::makeView()
     form->note(tr("Which buttons turn, move and zoom the view. Ctrl with the left button always "
                   "turns it, Space with the left button moves it."));
     form->choice("settingsMotion", tr("Motion"),
-                 {tr("As the system"), tr("Always"), tr("As little as possible")},
+                 {tr("Same as the system"), tr("Always"), tr("As little as possible")},
                  static_cast<int>(settings().motion()),
                  [](int index) { settings().setMotion(static_cast<Motion>(index)); });
     form->note(tr("With as little as possible, the view jumps instead of turning."));
@@ -261,28 +261,28 @@ QWidget *SettingsDialog::makeChecks()
                  tr("mm"), 0.001 * settings().touching(), [](double value) {
                      settings().setTouching(static_cast<int>(std::lround(1000.0 * value)));
                  });
-    form->note(tr("Where they overlap by less, that is no problem."));
+    form->note(tr("An overlap of less than this is no problem."));
     form->number(
         "settingsPlanningTime", tr("Look for an order of assembly for"),
         {0.001 * Settings::kMinPlanningTime, 0.001 * Settings::kMaxPlanningTime, 0.5, 1, 3},
         tr("s"), 0.001 * settings().planningTime(), [](double value) {
             settings().setPlanningTime(static_cast<int>(std::lround(1000.0 * value)));
         });
-    form->note(tr("In the background, after each change. Give it more time where the checks say "
-                  "that they found no order."));
+    form->note(
+        tr("In the background, after each change. Allow more time if the checks find no order."));
     return form;
 }
 
 QWidget *SettingsDialog::makeFiles()
 {
     auto *form = new Form;
-    form->wholeNumber("settingsAutosave", tr("Keep unsaved work every"),
+    form->wholeNumber("settingsAutosave", tr("Back up unsaved work every"),
                       {Settings::kMinAutosaveInterval, Settings::kMaxAutosaveInterval}, tr("s"),
                       settings().autosaveInterval(),
                       [](int interval) { settings().setAutosaveInterval(interval); });
-    form->note(tr("After a crash or a power cut you get it back, also what was never saved. Your "
-                  "file is left alone."));
-    form->box("settingsBackup", tr("When saving, keep the file as it was before"),
+    form->note(tr("After a crash or a power cut you get it back, even if it was never saved. Your "
+                  "file is not touched."));
+    form->box("settingsBackup", tr("Keep the previous version when saving"),
               settings().keepsBackup(), [](bool on) { settings().setKeepsBackup(on); });
     return form;
 }

@@ -50,13 +50,13 @@ ShortcutEditor::ShortcutEditor(const QList<ListedAction> &actions, QWidget *pare
     m_title->setBuddy(m_recorder);
     m_remove = new QPushButton(tr("Remove"), this);
     m_remove->setObjectName(QStringLiteral("shortcutRemove"));
-    m_remove->setToolTip(tr("No keys for this action"));
+    m_remove->setToolTip(tr("No keys for this command"));
     m_reset = new QPushButton(tr("Reset"), this);
     m_reset->setObjectName(QStringLiteral("shortcutReset"));
-    m_reset->setToolTip(tr("The keys that this action has at first"));
+    m_reset->setToolTip(tr("The original keys of this command"));
     auto *all = new QPushButton(tr("Reset all"), this);
     all->setObjectName(QStringLiteral("shortcutResetAll"));
-    all->setToolTip(tr("The keys that all actions have at first"));
+    all->setToolTip(tr("The original keys of all commands"));
     m_note = new QLabel(this);
     m_note->setObjectName(QStringLiteral("shortcutNote"));
     m_note->setTextFormat(Qt::PlainText);
@@ -99,8 +99,8 @@ void ShortcutEditor::makeTree(const QList<ListedAction> &actions)
 {
     m_tree = new QTreeWidget(this);
     m_tree->setObjectName(QStringLiteral("shortcutTree"));
-    m_tree->setAccessibleName(tr("Actions and their shortcuts"));
-    m_tree->setHeaderLabels({tr("Action"), tr("Shortcut"), tr("Works")});
+    m_tree->setAccessibleName(tr("Commands and their shortcuts"));
+    m_tree->setHeaderLabels({tr("Command"), tr("Shortcut"), tr("Works")});
     m_tree->setRootIsDecorated(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setMinimumHeight(160);
@@ -169,7 +169,7 @@ void ShortcutEditor::showCurrent()
 {
     const QString id = currentId();
     const QList<QKeySequence> keys = m_keys.of(id);
-    m_title->setText(id.isEmpty() ? tr("Choose an action") : tr("Keys for %1:").arg(nameOf(id)));
+    m_title->setText(id.isEmpty() ? tr("Choose a command") : tr("Keys for %1:").arg(nameOf(id)));
     m_recorder->setAccessibleName(m_title->text());
     m_recorder->setText(inWords(keys));
     m_recorder->setEnabled(!id.isEmpty());
@@ -203,7 +203,7 @@ void ShortcutEditor::recorded(const QKeySequence &keys)
         return;
     if (isTypingKey(keys) && !isForView(*each->action)) {
         say(tr("%1 alone would get in the way of typing. Hold Ctrl or Alt with it; single keys are "
-               "for actions that work in the view.")
+               "for commands that work in the view.")
                 .arg(keys.toString(QKeySequence::NativeText)));
         return;
     }

@@ -52,10 +52,9 @@ std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &
         group);
     explain(end, "stockSlitEnd",
             SlitRowsTexts::tr(
-                "The inner end of a slit. A laser cuts it square; a mill's round tool leaves "
-                "its corners standing. Round: a round bottom beyond the square one. Dogbone: "
-                "an arc through each corner. T-bone: an arc in each wall; the bottom stays "
-                "flat."));
+                "The inner end of a slit. A laser cuts it square; a mill's round tool cannot reach "
+                "its corners. Round: a round bottom beyond the square one. Dogbone: an arc through "
+                "each corner. T-bone: an arc in each wall; the bottom stays flat."));
     group->add(end);
 
     LengthRow *tool = lengthRow(group, stock, SlitRowsTexts::tr("Tool"), "stockTool",
@@ -79,9 +78,8 @@ std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &
     LengthRow *leadIn = lengthRow(group, stock, SlitRowsTexts::tr("Lead-in"), "stockLeadIn",
                                   {0.0, 20.0, 0.1, 1, 3}, &Stock::leadIn);
     explain(leadIn, "stockLeadIn",
-            SlitRowsTexts::tr(
-                "Chamfer of both walls at a slit's mouth, at 45°, so that sections find in. "
-                "Half to all of the thickness is usual; 0: none."));
+            SlitRowsTexts::tr("Chamfer of both walls at a slit's mouth, at 45°, so that sections "
+                              "slide in easily. Half to all of the thickness is usual; 0: none."));
     LengthRow *bumps = lengthRow(group, stock, SlitRowsTexts::tr("Friction bumps"), "stockBumps",
                                  {0.0, 1.0, 0.01, 2, 3}, &Stock::bumps);
     explain(bumps, "stockBumps",

@@ -162,16 +162,17 @@ void StockFields::makeStrength()
     auto *bends = new EditorRow(
         tr("Bends"), "stockDuctile", ductile,
         [this, ductile] { ductile->setChecked(stock()->isDuctile); }, group);
-    bends->setToolTip(tr("As metal does: the strengths are those from which on it stays bent"));
+    bends->setToolTip(tr("Like metal: above these strengths it stays bent"));
     connect(ductile, &QCheckBox::clicked, this,
             [this](bool on) { edit([on](Stock &s) { s.isDuctile = on; }); });
     group->add(bends);
     m_rows.push_back(bends);
     auto *lasting = new NumberEdit(kLasting, QStringLiteral("%"), group);
     auto *months = new EditorRow(
-        tr("Bears for months"), "stockLasting", lasting,
+        tr("Holds for months"), "stockLasting", lasting,
         [this, lasting] { lasting->setNumber(kPercent * stock()->lastingShare); }, group);
-    months->setToolTip(tr("Of its strength, where what acts stays: acrylic creeps and crazes"));
+    months->setToolTip(
+        tr("Share of its strength under a load that stays: acrylic creeps and crazes"));
     connect(lasting, &NumberEdit::numberEdited, this, [this](double percent) {
         edit([&](Stock &s) { s.lastingShare = percent / kPercent; });
     });
@@ -224,7 +225,7 @@ void StockFields::addRating(PropertyGroup *group, const QString &name, const cha
 {
     auto *field = new NumberEdit({0.0, most, step, 0, 2}, unit, group);
     field->setSpecialValueText(tr("not rated"));
-    field->setToolTip(tr("0 stands for: not rated"));
+    field->setToolTip(tr("0 means not rated"));
     auto *row = new EditorRow(
         name, objectName, field,
         [this, field, value, perUnit] {
@@ -284,7 +285,7 @@ void StockFields::refresh()
     const auto &sections = m_bench.session().model().document.sections;
     const auto uses = std::count_if(sections.begin(), sections.end(),
                                     [this](const auto &s) { return s->stock == m_stock; });
-    m_uses->setText(uses == 0 ? tr("No section is made of it")
+    m_uses->setText(uses == 0 ? tr("No sections are made of it")
                               : tr("%n section(s)", nullptr, static_cast<int>(uses)));
     for (PropertyRow *row : m_rows)
         row->refresh();

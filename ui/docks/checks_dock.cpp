@@ -372,8 +372,8 @@ void ChecksDock::goToProblem(int step)
     if (all.empty()) {
         Q_EMIT said(m_rows.empty() ? tr("There is no section to check yet.")
                     : m_list.age() == CheckList::Age::Current
-                        ? tr("There is no problem.")
-                        : tr("Still checking; no problem so far."));
+                        ? tr("No problems.")
+                        : tr("Still checking; no problems so far."));
         return;
     }
     const int count = static_cast<int>(all.size());
@@ -457,7 +457,7 @@ void ChecksDock::carryOut(const FindingAction &action, const Finding &finding)
     if (m_list.areMendsOf(m_bench.session().committed()))
         carryOutWish();
     else
-        Q_EMIT said(tr("Still checking. It is done as soon as that is known."));
+        Q_EMIT said(tr("Still checking. This will be done as soon as the result is known."));
 }
 
 void ChecksDock::carryOutWish()
@@ -465,7 +465,7 @@ void ChecksDock::carryOutWish()
     const auto [action, finding] = *std::exchange(m_wish, {});
     const Mend *mend = m_bench.session().hasPreview() ? nullptr : m_list.mendFor(action, finding);
     if (!mend) {
-        Q_EMIT said(tr("The model has changed; that cannot be done any more."));
+        Q_EMIT said(tr("The model has changed; this can no longer be done."));
         return;
     }
     const FindingEdit edit = *mend->edit; // it goes with the model

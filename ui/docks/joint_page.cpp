@@ -47,7 +47,7 @@ JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     m_slits = new PropertyGroup(tr("Slits"), this);
     addMeasures(m_slits);
 
-    m_reset = new QPushButton(tr("Reset to automatic"), this);
+    m_reset = new QPushButton(tr("Restore automatic settings"), this);
     m_reset->setObjectName(QStringLiteral("jointReset"));
     m_reset->setIcon(themedIcon(QStringLiteral("joint_reset")));
     m_reset->setAutoDefault(false);
@@ -253,7 +253,7 @@ QString JointPage::slitsText(const std::vector<SlitMeasure> &slits) const
 QString JointPage::problemText(const QString &a, const QString &b) const
 {
     const QString why = jointObstacleText(m_state->whyNoJoint());
-    QStringList text{tr("%1 and %2 collide.").arg(a.toHtmlEscaped(), b.toHtmlEscaped())};
+    QStringList text{tr("%1 and %2 overlap.").arg(a.toHtmlEscaped(), b.toHtmlEscaped())};
     if (!why.isEmpty())
         text += why + QLatin1Char('.');
     QStringList links;
@@ -297,11 +297,11 @@ void JointPage::refreshShares()
             row->setName(tr("Meeting point %1"), locale().toString(static_cast<qulonglong>(i + 1)));
         else
             row->setName(tr("Meeting point"));
-        const QString tip = tr("The slit of %1 takes this much of the way, that of %2 the rest")
+        const QString tip = tr("The slit of %1 takes this share of the depth, that of %2 the rest")
                                 .arg(name(m_state->b), name(m_state->a));
         row->setToolTip(tip);
         const bool isSet = m_state->isShareWanted[i];
-        row->setMarked(isSet, isSet ? tr("Set by hand; 50\u202f% by itself. %1").arg(tip) : tip);
+        row->setMarked(isSet, isSet ? tr("Set by hand; automatic is 50\u202f%. %1").arg(tip) : tip);
     }
 }
 
@@ -323,15 +323,16 @@ void JointPage::refresh()
     const JointOverride &wanted = m_state->wanted;
     m_kind->refresh();
     m_kind->setMarked(wanted.kind.has_value(),
-                      wanted.kind ? tr("Set by hand; Reset takes it back") : QString());
+                      wanted.kind ? tr("Set by hand; the automatic setting can be restored")
+                                  : QString());
     m_opens->setVisible(m_state->sign != 0);
     m_opens->setName(tr("%1 opens"), b);
     m_opens->refresh();
-    m_opens->setMarked(wanted.opens.has_value(),
-                       wanted.opens ? tr("Set by hand; Reset takes it back")
-                                    : tr("Where the slit of %1 opens to; that of %2 opens to the "
-                                         "other side")
-                                          .arg(b, a));
+    m_opens->setMarked(
+        wanted.opens.has_value(),
+        wanted.opens
+            ? tr("Set by hand; the automatic setting can be restored")
+            : tr("The side that the slit of %1 opens to; that of %2 opens to the other").arg(b, a));
     refreshShares();
     if (!m_state)
         return;
@@ -349,8 +350,9 @@ void JointPage::refresh()
     if (!isSet && m_reset->hasFocus())
         m_kind->setFocus(); // Qt would give it to another dock
     m_reset->setEnabled(isSet);
-    m_reset->setToolTip(isSet ? tr("Kind, direction and meeting points as by themselves")
-                              : tr("Nothing of this joint is set by hand"));
+    m_reset->setToolTip(isSet
+                            ? tr("Let the program choose kind, direction and meeting points again")
+                            : tr("Nothing of this joint is set by hand"));
 }
 
 } // namespace fff::ui

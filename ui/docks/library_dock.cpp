@@ -66,7 +66,7 @@ LibraryDock::LibraryDock(Workbench &bench, QWidget *parent)
     auto *content = new QWidget(this);
     auto *add = new QPushButton(tr("Add selection"), content);
     add->setObjectName(QStringLiteral("libraryAdd"));
-    add->setToolTip(tr("Put what is selected into the library; without a selection, the model"));
+    add->setToolTip(tr("Put the selection into the library; without one, the whole model"));
     connect(add, &QPushButton::clicked, this, &LibraryDock::addSelection);
     auto *choose = new QPushButton(tr("Folder…"), content);
     choose->setObjectName(QStringLiteral("libraryFolder"));
@@ -128,7 +128,7 @@ void LibraryDock::setFolder(const QString &folder)
 
 void LibraryDock::chooseFolder()
 {
-    FileDialog dialog(window(), tr("The folder of your library"), folder());
+    FileDialog dialog(window(), tr("Library folder"), folder());
     dialog.setFileMode(QFileDialog::Directory);
     dialog.setOption(QFileDialog::ShowDirsOnly);
     if (dialog.exec() == QDialog::Accepted)
@@ -147,7 +147,7 @@ void LibraryDock::addSelection()
         chosen.empty() ? model.section(0)->name : model.nameOf(chosen.front())));
     const QDir place(folder());
     if (!place.mkpath(QStringLiteral("."))) {
-        Q_EMIT failed(tr("The folder of the library, %1, cannot be made.")
+        Q_EMIT failed(tr("The library folder %1 cannot be created.")
                           .arg(QDir::toNativeSeparators(place.path())));
         return;
     }
@@ -169,9 +169,9 @@ void LibraryDock::remove(const QString &path)
 {
     const QString name = QFileInfo(path).completeBaseName();
     if (QFile::moveToTrash(path))
-        Q_EMIT said(tr("%1 is in the wastebasket.").arg(name));
+        Q_EMIT said(tr("%1 is in the trash.").arg(name));
     else
-        Q_EMIT failed(tr("%1 could not be moved to the wastebasket.").arg(name));
+        Q_EMIT failed(tr("%1 could not be moved to the trash.").arg(name));
     fill();
 }
 
@@ -194,8 +194,7 @@ void LibraryDock::fill()
         const auto removeIt = [this, path] { remove(path); };
         connect(card, &ModelCard::removalWanted, this, removeIt, Qt::QueuedConnection);
         card->setContextMenuPolicy(Qt::ActionsContextMenu);
-        auto *trash =
-            new QAction(themedIcon(QStringLiteral("trash")), tr("Move to the wastebasket"), card);
+        auto *trash = new QAction(themedIcon(QStringLiteral("trash")), tr("Move to trash"), card);
         connect(trash, &QAction::triggered, this, removeIt, Qt::QueuedConnection);
         card->addAction(trash);
         m_cards.emplace(path, card);

@@ -87,7 +87,7 @@ void LoadPage::addWeightRows(PropertyGroup *group)
     const auto always = [] { return true; };
     add(group,
         new ChoiceRow(
-            tr("Thing"), "loadPreset",
+            tr("Object"), "loadPreset",
             [this] {
                 Choices choices;
                 choices.all.push_back({tr("Plain weight"), QColor()});
@@ -153,7 +153,7 @@ void LoadPage::addWeightRows(PropertyGroup *group)
             [this](double height) { change([height](Load &load) { load.height = height; }); },
             group),
         [this] { return load().spread != Spread::Hanging; })
-        ->setToolTip(tr("So far above its place: the higher, the sooner all of it tips over"));
+        ->setToolTip(tr("Height above its place: the higher, the sooner the model tips over"));
 }
 
 void LoadPage::addPushRows(PropertyGroup *group)
@@ -256,7 +256,7 @@ void LoadPage::addSpreadRows(PropertyGroup *group)
             [this](bool isOn) { change([isOn](Load &load) { load.isRepeated = isOn; }); });
     add(group,
         new EditorRow(
-            tr("On copies, too"), "loadRepeated", repeated,
+            tr("On copies too"), "loadRepeated", repeated,
             [this, repeated] { repeated->setChecked(load().isRepeated); }, group),
         [this] { return hasCopies(); })
         ->setToolTip(tr("Copies that operations make of its section carry one each"));

@@ -67,8 +67,8 @@ void MovementRows::refresh()
                                                   : tr("Play"));
     if (!movement) {
         m_words->setText(settings().bendsSections()
-                             ? tr("Nothing is known of how it moves.")
-                             : tr("Turn on \"Sections bend\" to see how it bends."));
+                             ? tr("It is not known how it moves.")
+                             : tr("Turn on “Sections bend” to see how it bends."));
         return;
     }
     const QLocale &locale = m_slider->locale();
@@ -80,7 +80,7 @@ void MovementRows::refresh()
     const QString length =
         lengthText(movement->most, 0, movement->most < kPreciseLength ? 2 : 1, locale);
     //: %1 is a length, %2 a number of times
-    m_words->setText(times > 0.0 ? tr("Bends %1, shown %2 times.")
+    m_words->setText(times > 0.0 ? tr("Bends %1, shown %2 times as far.")
                                        .arg(length, locale.toString(times, 'g', times < 10 ? 2 : 3))
                                  : tr("Bends %1.").arg(length));
 }

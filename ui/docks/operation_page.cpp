@@ -77,9 +77,9 @@ void OperationPage::addFooter()
     };
     m_bake = add(tr("Bake"), "operationBake", "bake", "operation.bake");
     m_bake->setToolTip(
-        tr("Make drawn sections of what it makes; it is then no operation any more"));
+        tr("Turn what it makes into drawn sections; the operation itself is then gone"));
     add(tr("Delete"), "operationDelete", "trash", "operation.delete")
-        ->setToolTip(tr("Delete it and what it makes"));
+        ->setToolTip(tr("Delete it and everything it makes"));
     layout()->addWidget(footer);
 }
 

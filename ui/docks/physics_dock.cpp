@@ -104,14 +104,14 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     auto *least = new EditorRow(
         tr("Show from"), "physicsShownFrom", from,
         [from] { from->setNumber(settings().stressShown()); }, display);
-    least->setToolTip(tr("Of what the sheet bears: less is not shown"));
+    least->setToolTip(tr("Share of the sheet's strength; less is not shown"));
     display->add(least);
     m_rules.push_back(least);
     m_bends = new QCheckBox(tr("finite elements"));
     connect(m_bends, &QCheckBox::clicked, this, [](bool on) { settings().setBendsSections(on); });
     auto *bends = new EditorRow(tr("Sections bend"), "physicsBends", m_bends, {}, display);
-    bends->setToolTip(tr("Where joints share what they bear, how stiff sections are decides who "
-                         "bears how much. Takes a while."));
+    bends->setToolTip(tr("Where joints share a load, the stiffness of the sections decides how "
+                         "much each carries. Takes a while."));
     m_stop = bends->addButton(QStringLiteral("close"), "physicsStop", tr("Stop"),
                               [this] { m_bench.session().scheduler().cancel(kAccurate.name); });
     display->add(bends);
@@ -120,9 +120,9 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     connect(m_strong, &QCheckBox::clicked, this, [this](bool on) {
         m_bench.run(QStringLiteral("physics.whereStrong"), {{"on", on ? "true" : "false"}});
     });
-    auto *strong = new EditorRow(tr("Strong where"), "physicsStrong", m_strong, {}, display);
-    strong->setToolTip(tr("Colours the selected section by the mass that each place of it bears, "
-                          "besides what hangs on the model already. Takes a while."));
+    auto *strong = new EditorRow(tr("Strength map"), "physicsStrong", m_strong, {}, display);
+    strong->setToolTip(tr("Colours the selected section by the mass that each place of it can "
+                          "hold, besides what is on the model already. Takes a while."));
     m_stopStrong =
         strong->addButton(QStringLiteral("close"), "physicsStopStrong", tr("Stop"),
                           [this] { m_bench.session().scheduler().cancel(kBearing.name); });
@@ -186,7 +186,7 @@ void PhysicsDock::hideEvent(QHideEvent *event)
 void PhysicsDock::makeLoads(QWidget *parent)
 {
     m_loads = new PropertyGroup(tr("Loads"), parent);
-    m_empty = new QLabel(tr("Put a weight on the model to see what it bears."));
+    m_empty = new QLabel(tr("Put a weight on the model to see what it can hold."));
     m_empty->setWordWrap(true);
     m_empty->setContentsMargins(0, 4, 0, 4);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
@@ -237,7 +237,8 @@ QWidget *PhysicsDock::makeRules(QWidget *parent)
     auto *row = new EditorRow(
         tr("Safety factor"), "physicsSafety", safety,
         [safety] { safety->setNumber(settings().safetyFactor() / kTenths); }, rules);
-    row->setToolTip(tr("So many times what is there has to be borne for it to hold"));
+    row->setToolTip(
+        tr("How many times its load the model must be able to carry to count as holding"));
     rules->add(row);
     m_rules.push_back(row);
     auto *notch = new NumberEdit(kNotch, QString());
@@ -248,8 +249,8 @@ QWidget *PhysicsDock::makeRules(QWidget *parent)
     row = new EditorRow(
         tr("Notch factor, at most"), "physicsNotch", notch,
         [notch] { notch->setNumber(settings().notchFactor() / kTenths); }, rules);
-    row->setToolTip(tr("How many times stress rises at inner corners follows from the neck's "
-                       "length, up to this; slits that end round need less"));
+    row->setToolTip(tr("How far stress rises at inner corners follows from the length of the neck, "
+                       "up to this factor; slits with round ends need less"));
     rules->add(row);
     m_rules.push_back(row);
     auto *lasting = new QCheckBox(tr("for months"));
@@ -257,7 +258,7 @@ QWidget *PhysicsDock::makeRules(QWidget *parent)
     row = new EditorRow(
         tr("Loads stay"), "physicsLasting", lasting,
         [lasting] { lasting->setChecked(settings().isLoadLasting()); }, rules);
-    row->setToolTip(tr("Then a stock bears less, as it says itself: acrylic a quarter"));
+    row->setToolTip(tr("A stock then holds less, as set for it: acrylic only a quarter"));
     rules->add(row);
     m_rules.push_back(row);
     return rules;
@@ -358,7 +359,7 @@ void PhysicsDock::refreshState()
         m_state->setText(words);
     };
     if (m_bench.session().model().sectionCount() == 0)
-        return say("unknown", theme().muted, tr("Draw a section to see what it bears."));
+        return say("unknown", theme().muted, tr("Draw a section to see what it can hold."));
     if (scheduler.failureOf(kHolding.name))
         return say("warn", theme().warning, tr("Whether it holds could not be worked out."));
     if (!m_held || scheduler.age(kHolding.name) != Scheduler::Age::Current)

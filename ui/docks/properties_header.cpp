@@ -60,7 +60,7 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
     grid->addWidget(m_title, 0, 1);
     m_isOn = new QCheckBox(tr("On"), this);
     m_isOn->setObjectName(QStringLiteral("operationOn"));
-    m_isOn->setToolTip(tr("Off, it makes nothing and keeps all that is set"));
+    m_isOn->setToolTip(tr("Switched off, it makes nothing but keeps its settings"));
     auto *line = new QHBoxLayout;
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(m_kind, 1);
@@ -174,7 +174,7 @@ QString PropertiesHeader::stateOf(const JointState &joint)
 {
     const QString kind = jointKindName(joint.kind);
     if (joint.kind == JointKind::None && !joint.wanted.kind)
-        return tr("They collide");
+        return tr("They overlap");
     return joint.wanted.isEmpty() ? tr("%1 · automatic").arg(kind)
                                   : tr("%1 · set by hand").arg(kind);
 }

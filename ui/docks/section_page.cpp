@@ -175,7 +175,7 @@ void SectionPage::addStockRows(PropertyGroup *group)
         },
         group);
     thickness->setThickness([this] { return commonThickness(); });
-    thickness->setToolTip(tr("That of the stock: all sections of it follow"));
+    thickness->setToolTip(tr("Thickness of the stock: all sections of this stock follow"));
     auto *mass = new TextRow(
         tr("Mass"), "sectionMass",
         [this] {

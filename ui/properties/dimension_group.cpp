@@ -47,7 +47,7 @@ void DimensionGroup::add(std::size_t index)
                          {"length", QString::number(value, 'g', 17).toStdString()}});
         },
         this);
-    row->setToolTip(DimensionGroupTexts::tr("Another length here scales the whole model"));
+    row->setToolTip(DimensionGroupTexts::tr("Changing this length scales the whole model"));
     row->addButton(
         QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
         DimensionGroupTexts::tr("Delete this dimension"), [this, index] {

@@ -40,7 +40,7 @@ DrawingGroup::DrawingGroup(QWidget *parent) : PropertyGroup(tr("Drawing"), paren
 {
     addRow(switchRow(tr("Local symmetry"), "localSymmetry",
                      tr("Mirror a contour across its slit when it is drawn on one side of it. "
-                        "Shift switches that over while you draw."),
+                        "Shift does the opposite while you draw."),
                      DrawingSwitch::Symmetry, this));
     addRow(switchRow(tr("Mirror the first"), "firstSymmetry",
                      tr("Mirror the first section too, across the vertical through its start"),
@@ -48,14 +48,12 @@ DrawingGroup::DrawingGroup(QWidget *parent) : PropertyGroup(tr("Drawing"), paren
     addRow(switchRow(tr("Cut at ground"), "cutAtGround",
                      tr("Cut flat at the ground: leave out what is drawn below it"),
                      DrawingSwitch::Ground, this));
-    addRow(switchRow(tr("Snap"), "snap",
-                     tr("Draw points to others, to lines level and upright with them, to the "
-                        "ground and to the grid"),
+    addRow(switchRow(tr("Snap"), "snap", tr("Snap to points, alignment lines, ground and grid"),
                      DrawingSwitch::Snap, this));
     addRow(numberRow(
         tr("View turns by"), "turnAngle",
-        tr("At 90° you look straight at the new plane; with less, the section that you started "
-           "on stays to be seen"),
+        tr("At 90° you look straight at the new plane; with less, the section that you started on "
+           "stays visible"),
         {Settings::kMinTurnAngle, Settings::kMaxTurnAngle, 1.0, 0, 0}, tr("°"),
         [] { return settings().turnAngle(); }, [](int angle) { settings().setTurnAngle(angle); },
         this));

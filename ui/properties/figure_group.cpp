@@ -77,7 +77,7 @@ void FigureGroup::addKind()
             const std::optional<Figure> now = figure(0);
             choices.all.push_back(
                 {FigureGroupTexts::tr("Drawn by hand"), QColor(),
-                 now ? FigureGroupTexts::tr("Move one of its points, and it is") : QString()});
+                 now ? FigureGroupTexts::tr("Moving one of its points makes it so") : QString()});
             choices.current = 0;
             for (const FigureKind &kind : figureKinds()) {
                 if (now && now->kind == kind.key)
@@ -141,7 +141,7 @@ void FigureGroup::addPlace(int boundary, int axis, const QString &name)
             change(boundary, [axis, value](Figure &figure) { figure.centre[axis] = value; });
         },
         this);
-    row->setToolTip(FigureGroupTexts::tr("Of its middle, in the coordinates of the section"));
+    row->setToolTip(FigureGroupTexts::tr("Its centre, in the coordinates of the section"));
     m_rows.add(row);
 }
 

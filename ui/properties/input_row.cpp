@@ -99,7 +99,7 @@ void InputRow::makeList()
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setAccessibleName(operationText(m_spec.label));
     m_list->setAccessibleDescription(InputRowTexts::tr(
-        "Delete takes a section out, drag or Alt with an arrow key changes the order."));
+        "Delete removes a section; drag, or Alt with an arrow key, changes the order."));
     m_list->setUniformItemSizes(true);
     m_list->setIconSize({16, 16});
     m_list->setMouseTracking(true);
@@ -108,7 +108,7 @@ void InputRow::makeList()
     m_pick = smallButton(QStringLiteral("pick"), "inputPick", operationText(m_spec.prompt), box);
     m_pick->setCheckable(true);
     m_takeOut =
-        smallButton(QStringLiteral("trash"), "inputTakeOut", InputRowTexts::tr("Take it out"), box);
+        smallButton(QStringLiteral("trash"), "inputTakeOut", InputRowTexts::tr("Remove it"), box);
     auto *buttons = new QVBoxLayout;
     buttons->setSpacing(0);
     buttons->addWidget(m_pick);
@@ -177,7 +177,7 @@ std::pair<QString, bool> InputRow::nameOf(const OperationInput &input, const Mod
     if (const Section *section = drawn ? drawn : model.find(input.section))
         return {QString::fromStdString(section->name), true};
     //: %1 is the name of a section
-    return {InputRowTexts::tr("%1 (gone)").arg(QString::fromStdString(input.name)), false};
+    return {InputRowTexts::tr("%1 (deleted)").arg(QString::fromStdString(input.name)), false};
 }
 
 void InputRow::show(const Operation &operation, const Model &model, bool picks)

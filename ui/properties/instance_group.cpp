@@ -29,7 +29,8 @@ InstanceGroup::InstanceGroup(Workbench &bench, QWidget *parent)
     });
     m_detach = new QPushButton(tr("Detach"));
     m_detach->setObjectName(QStringLiteral("instanceDetach"));
-    m_detach->setToolTip(tr("Make a drawn section of this one; its operation makes the others"));
+    m_detach->setToolTip(
+        tr("Turn this one into a drawn section; its operation still makes the others"));
     m_detach->setAutoDefault(false);
     connect(m_detach, &QPushButton::clicked, this, [this] {
         m_bench.run(QStringLiteral("operation.exclude"), {{"state", "detached"}});
@@ -61,8 +62,8 @@ void InstanceGroup::refresh()
     const std::string name = model.nameOf(m_origin);
     m_sourceRow->setVisible(!name.empty());
     m_sourceRow->setName(origin ? tr("Image of") : tr("Made from"));
-    m_sourceRow->setToolTip(origin ? tr("What is done to one of them is done to all")
-                                   : tr("Redraw it, and all that is made from it follows"));
+    m_sourceRow->setToolTip(origin ? tr("Changes to one of them apply to all")
+                                   : tr("Redraw it; everything made from it follows"));
     m_source->setTexts({QString::fromStdString(name)});
 }
 

@@ -61,7 +61,8 @@ QString jointObstacleText(JointObstacle obstacle)
     case JointObstacle::EndsOnHole:
         return JointTexts::tr("Slits cannot open to the outside: a hole is in the way");
     case JointObstacle::OppositeWays:
-        return JointTexts::tr("Here they could only slide one way, there only the other");
+        return JointTexts::tr(
+            "In one place they could only slide one way, in another only the other");
     case JointObstacle::NothingHolds:
         return JointTexts::tr("Nothing would hold them: holes are where slits would begin");
     case JointObstacle::ReachesBeyond:
@@ -71,13 +72,13 @@ QString jointObstacleText(JointObstacle obstacle)
     case JointObstacle::SeveralPlaces:
         return JointTexts::tr("They meet in more than one place");
     case JointObstacle::DoesNotFit:
-        return JointTexts::tr("Neither section fits through a slot in the other");
+        return JointTexts::tr("Neither section fits through a closed slit in the other");
     case JointObstacle::DoNotCross:
         return JointTexts::tr("One section only ends on the other");
     case JointObstacle::EndsNowhere:
         return JointTexts::tr("Neither section ends on the other's face");
     case JointObstacle::NoRoom:
-        return JointTexts::tr("There is no room for tabs and their slots");
+        return JointTexts::tr("There is no room for tabs and their slits");
     case JointObstacle::TooOblique:
         return JointTexts::tr("They meet at less than 30°");
     }

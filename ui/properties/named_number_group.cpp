@@ -80,7 +80,7 @@ void NamedNumberGroup::add(std::size_t index)
         this);
     row->addButton(
         QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
-        NamedNumberGroupTexts::tr("Delete this number"), [this, name] {
+        NamedNumberGroupTexts::tr("Delete this value"), [this, name] {
             m_bench.run(QStringLiteral("numbers.remove"), {{"name", name.toStdString()}});
         });
     m_rows.add(row);
@@ -93,18 +93,17 @@ void NamedNumberGroup::addNew()
     edit->setPlaceholderText(
         NamedNumberGroupTexts::tr("gap = 12 mm", "an example of a number with a name"));
     edit->setToolTip(NamedNumberGroupTexts::tr(
-        "A name and what it stands for; number fields take the name, also in "
-        "sums: 2*gap"));
+        "A name and its value; number fields take the name, also in sums: 2*gap"));
     connect(edit, &QLineEdit::returnPressed, this, [this, edit] {
         const QString text = edit->text();
         const qsizetype equals = text.indexOf(u'=');
         if (equals < 0) {
-            refuse(edit, NamedNumberGroupTexts::tr("Write a name, “=” and a number."));
+            refuse(edit, NamedNumberGroupTexts::tr("Type a name, “=” and a number."));
             return;
         }
         const QString name = text.left(equals).trimmed();
         if (findNumber(m_bench.session().committed().document, name.toStdString()))
-            refuse(edit, NamedNumberGroupTexts::tr("There is a number of this name already."));
+            refuse(edit, NamedNumberGroupTexts::tr("There is already a value with this name."));
         else if (set(name, text.mid(equals + 1), edit))
             edit->clear();
     });

@@ -42,17 +42,16 @@ PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
     addAngle();
     addPosition();
     addNormal();
-    addSwitch(
-        PlaceGroupTexts::tr("Free"), "sectionFree",
-        PlaceGroupTexts::tr("It neither goes along with the section that it is on, nor keeps its "
-                            "angle to that"),
-        "section.free",
-        [](const Section &section) { return section.parent && section.parent->isFree; });
+    addSwitch(PlaceGroupTexts::tr("Free"), "sectionFree",
+              PlaceGroupTexts::tr(
+                  "It neither moves with the section that it is on, nor keeps its angle to it"),
+              "section.free",
+              [](const Section &section) { return section.parent && section.parent->isFree; });
     addSwitch(PlaceGroupTexts::tr("Locked"), "sectionLocked",
-              PlaceGroupTexts::tr("It stays as it is, unless what it is on is moved"),
+              PlaceGroupTexts::tr("It stays as it is, unless the section that it is on moves"),
               "section.lock", [](const Section &section) { return section.isLocked; });
     addSwitch(PlaceGroupTexts::tr("Symmetric"), "sectionSymmetric",
-              PlaceGroupTexts::tr("What is done to points of one half is done to the other one"),
+              PlaceGroupTexts::tr("Changes to points of one half apply to the other"),
               "section.symmetric",
               [](const Section &section) { return symmetryOf(section) != nullptr; });
 }
@@ -112,7 +111,7 @@ void PlaceGroup::addParent()
                             PlaceGroupTexts::tr("Click another section to put it on"),
                             [this] { m_bench.run(QStringLiteral("section.putOn")); });
     m_off = row->addButton(QStringLiteral("close"), "sectionParentNone",
-                           PlaceGroupTexts::tr("On no other section"), [this] {
+                           PlaceGroupTexts::tr("Not on another section"), [this] {
                                m_bench.run(QStringLiteral("section.putOn"), {{"on", ""}});
                            });
     add(row);

@@ -24,7 +24,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLeftWidth = 260, kMargin = 24, kGap = 16; // px
-constexpr int kBesideCards = 20;                           // px: six columns in the usual window
+constexpr int kBesideCards = 20;                         // px: six columns in the usual window
 constexpr int kHeadingSize = 20;                         // px, UI.md section 4
 constexpr int kRowIcon = 20;                             // px
 
@@ -81,12 +81,12 @@ QWidget *StartPage::makeLeft()
     setFocusProxy(begin);
     auto *open = new QPushButton(themedIcon(QStringLiteral("open")), tr("Open…"), left);
     open->setObjectName(QStringLiteral("startOpen"));
-    open->setToolTip(tr("Open a model, also one of FlatFab"));
+    open->setToolTip(tr("Open a model, also from FlatFab"));
     open->setMinimumHeight(36);
     auto *note = new QLabel(tr("No account, nothing leaves this computer."), left);
     note->setWordWrap(true);
     note->setForegroundRole(QPalette::PlaceholderText);
-    auto *atStart = new QCheckBox(tr("Show at start"), left);
+    auto *atStart = new QCheckBox(tr("Show at startup"), left);
     atStart->setObjectName(QStringLiteral("startShows"));
     atStart->setChecked(settings().showsStartPage());
     connect(begin, &QPushButton::clicked, this, &StartPage::newWanted);

@@ -45,10 +45,10 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     m_export->setIconSize({16, 16});
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_export->setAccessibleName(tr("Export steps…"));
-    m_export->setToolTip(tr("Write all steps to a PDF to print, or a picture for each"));
+    m_export->setToolTip(tr("Write all steps to a PDF to print, or a picture of each"));
     m_export->setFocusPolicy(Qt::TabFocus);
     m_close = addButton("stepsClose", "close", tr("Close the steps (Esc)"));
-    m_previous = addButton("stepsPrevious", "step_previous", tr("Step before (Left)"));
+    m_previous = addButton("stepsPrevious", "step_previous", tr("Previous step (Left)"));
     m_play = addButton("stepsPlay", "play", tr("Play (Space)"));
     m_next = addButton("stepsNext", "step_next", tr("Next step (Right)"));
     m_time = new QSlider(Qt::Horizontal, this);
@@ -57,7 +57,7 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     m_time->setSingleStep(kOfStep);
     m_time->setPageStep(kOfStep);
     m_time->setMinimumWidth(90);
-    const QString apart = tr("Draw the parts apart");
+    const QString apart = tr("Pull the parts apart");
     m_apartLabel = new QLabel(tr("Exploded"), this);
     m_apartLabel->setForegroundRole(QPalette::PlaceholderText);
     m_apartLabel->setToolTip(apart);

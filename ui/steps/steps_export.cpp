@@ -95,7 +95,7 @@ bool StepsExport::write(const Subject &subject, const QString &path)
     const Pieces made = doInPieces(m_window, tr("Exporting %1…").arg(name), files.pieceCount(),
                                    [&](int piece) { return files.makePiece(piece); });
     if (made == Pieces::GivenUp) {
-        m_status.say(tr("Nothing was written: the export was given up."));
+        m_status.say(tr("Nothing was written: the export was cancelled."));
         return false;
     }
     if (made == Pieces::Failed) {

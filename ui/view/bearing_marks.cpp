@@ -51,7 +51,7 @@ void paintBearingLegend(MarkPen &pen, const BearingMarks &marks, const QLocale &
     const auto massAt = [&](double share) {
         return map.least > 0.0 ? map.least * std::pow(most / map.least, share) : share * most;
     };
-    Legend legend{BearingTexts::tr("Bears")};
+    Legend legend{BearingTexts::tr("Holds")};
     legend.bottom = kLeastUse;
     for (int i = 0; i < kMarksOnBar; ++i) {
         const double share = static_cast<double>(i) / (kMarksOnBar - 1);

@@ -206,8 +206,8 @@ bool StepsPaper::titlePage()
     }
     text(QRectF(0.0, y + 2.0, width, 30.0),
          StepsPaperTexts::tr(
-             "The numbers are those engraved on the parts. At every slit stands the number "
-             "of its joint behind a short bar, the same on both of its parts."),
+             "The numbers are those engraved on the parts. At every slit there is the number of "
+             "its joint after a short bar, the same on both of its parts."),
          font(11.0), kMuted);
     return true;
 }

@@ -155,7 +155,7 @@ QString breaksFirst(const StressLine &line)
     if (doubts.isRedundant)
         return CardTexts::tr("Uncertain: forces act beside the holes that it crosses.");
     if (doubts.isStubby || doubts.isNearForce)
-        return CardTexts::tr("A rough number: it is too short, or too near a force, for a bar.");
+        return CardTexts::tr("A rough figure: the neck is too short, or too near a force.");
     return line.stress.stress.notch > 1.0 ? CardTexts::tr("It would crack at its corner first.")
                                           : CardTexts::tr("It would break straight across.");
 }

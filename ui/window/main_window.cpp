@@ -344,7 +344,7 @@ void MainWindow::showStartPage()
     }
     m_middle->setCurrentIndex(1);
     m_layout->setAway(true);
-    m_status->setStanding(tr("Begin a model of your own, go on with one, or look at a sample."));
+    m_status->setStanding(tr("Start a new model, continue one, or look at a sample."));
     m_middle->currentWidget()->setFocus();
     auto *page = static_cast<StartPage *>(m_middle->currentWidget());
     page->setUnreadable(UnsavedWork::unreadable());

@@ -467,7 +467,8 @@ void TestExportDialog::exportAgainNeedsAnExport()
     draw(squareDocument());
     QVERIFY(actionOf(*m_window, "file.export")->isEnabled());
     QVERIFY(!actionOf(*m_window, "file.exportAgain")->isEnabled());
-    QVERIFY2(whyNot().contains(QStringLiteral("It was not exported yet")), qPrintable(whyNot()));
+    QVERIFY2(whyNot().contains(QStringLiteral("It has not been exported yet")),
+             qPrintable(whyNot()));
     QVERIFY(m_window->files().exportFile(file("a.svg")));
     QVERIFY(actionOf(*m_window, "file.exportAgain")->isEnabled());
 }

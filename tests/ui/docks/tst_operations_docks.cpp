@@ -474,11 +474,11 @@ void TestOperationsDocks::aLostInputIsSaid()
     QCOMPARE(count(), 1U);
     auto *messages = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
     QVERIFY(messages->isVisible());
-    QVERIFY(messages->text().contains(QStringLiteral("Ribs has lost its section \"Rib\"")));
+    QVERIFY(messages->text().contains(QStringLiteral("Ribs has lost its section “Rib”")));
     bench().selectOperation(ribs().id);
     QVERIFY(field<QLabel>("operationProblem")->text().contains(QStringLiteral("Rib")));
     QCOMPARE(field<QLabel>("propertiesKind")->text(), QStringLiteral("Linear · makes nothing"));
-    QCOMPARE(field<QAbstractButton>("section")->text(), QStringLiteral("Rib (gone)"));
+    QCOMPARE(field<QAbstractButton>("section")->text(), QStringLiteral("Rib (deleted)"));
     QVERIFY(!tree()->topLevelItem(0)->icon(2).isNull());
     session().history()->undo();
     QCOMPARE(count(), 2U + 7U);
