@@ -92,7 +92,8 @@ private Q_SLOTS:
     void linksLeadSomewhere_data()
     {
         QTest::addColumn<QString>("page");
-        for (const char *page : {"/help/first_steps.md", "/help/more.md", "/../README.md"})
+        for (const char *page : {"/help/first_steps.md", "/help/more.md", "/help/de/first_steps.md",
+                                 "/help/de/more.md", "/../README.md"})
             QTest::newRow(page) << QStringLiteral(FFF_RESOURCES) + QLatin1String(page);
     }
     void linksLeadSomewhere()
@@ -107,6 +108,36 @@ private Q_SLOTS:
             const QString target = match.captured(1) + match.captured(2);
             QVERIFY2(QFileInfo(page).dir().exists(target), qPrintable(target));
         }
+    }
+
+    /// A page that was changed in one language alone tells others what is no longer so: each has
+    /// the same headings, entries, pictures and keys as the English one, in the same order.
+    void pagesSayTheSame_data()
+    {
+        QTest::addColumn<QString>("page");
+        QTest::newRow("first steps") << QStringLiteral("first_steps.md");
+        QTest::newRow("more") << QStringLiteral("more.md");
+    }
+    void pagesSayTheSame()
+    {
+        QFETCH(QString, page);
+        const auto skeleton = [](const QString &path) {
+            static const QRegularExpression mark(
+                QStringLiteral("^(#+) |^(-) |\\(([^)#:*]+)\\)|\\*\\*([A-Z]|F\\d+)\\*\\*"),
+                QRegularExpression::MultilineOption);
+            QStringList marks;
+            const QString text = textOf(path);
+            for (auto it = mark.globalMatch(text); it.hasNext();) {
+                const QRegularExpressionMatch found = it.next();
+                const QString link = found.captured(3).section(u'/', -1);
+                if (found.captured(3).isEmpty() || link.contains(u'.')) // else words in parentheses
+                    marks += found.captured(1) + found.captured(2) + link + found.captured(4);
+            }
+            return marks;
+        };
+        const QStringList english = skeleton(helpFolder().filePath(page));
+        QVERIFY(english.size() > 15);
+        QCOMPARE(skeleton(helpFolder().filePath(QStringLiteral("de/") + page)), english);
     }
 };
 
