@@ -4,57 +4,19 @@
 #include <QTest>
 
 #include "tests/test_program.h"
+#include "tests/ui/translated_texts.h"
 #include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QMenu>
 #include <QMenuBar>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTranslator>
-#include <QXmlStreamReader>
 
 #include <algorithm>
 
 namespace {
-
-const QString kSources = QStringLiteral(FFF_SOURCES);
-
-struct Message
-{
-    QString context, source;
-    QStringList translations;
-    bool isUnfinished = false;
-};
-
-std::vector<Message> messagesOf(const QString &path)
-{
-    std::vector<Message> messages;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return messages;
-    QXmlStreamReader xml(&file);
-    QString context;
-    while (!xml.atEnd()) {
-        if (xml.readNext() != QXmlStreamReader::StartElement)
-            continue;
-        const auto name = xml.name();
-        if (name == u"name") {
-            context = xml.readElementText();
-        } else if (name == u"message") {
-            messages.push_back({context, {}, {}, false});
-        } else if (name == u"source") {
-            messages.back().source = xml.readElementText();
-        } else if (name == u"translation") {
-            messages.back().isUnfinished = xml.attributes().hasAttribute(QStringLiteral("type"));
-            const QString text =
-                xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
-            messages.back().translations = {text};
-        }
-    }
-    return messages;
-}
 
 QStringList placesOf(const QString &text)
 {
@@ -69,6 +31,8 @@ QStringList placesOf(const QString &text)
 
 } // namespace
 
+using namespace fff::test;
+
 class TestTranslations : public QObject
 {
     Q_OBJECT
@@ -81,20 +45,13 @@ private Q_SLOTS:
         const QString fresh = folder.filePath(QStringLiteral("fresh.ts"));
         QVERIFY(QFile::copy(kSources + QStringLiteral("/translations/flatfitfab_de.ts"), fresh));
         QVERIFY(QFile::setPermissions(fresh, QFile::ReadOwner | QFile::WriteOwner));
-        QProcess lupdate;
-        lupdate.setWorkingDirectory(kSources);
-        lupdate.start(QStringLiteral(FFF_LUPDATE),
-                      {QStringLiteral("-I"), QStringLiteral("."), QStringLiteral("ui"),
-                       QStringLiteral("app"), QStringLiteral("core"), QStringLiteral("-locations"),
-                       QStringLiteral("none"), QStringLiteral("-no-obsolete"),
-                       QStringLiteral("-silent"), QStringLiteral("-ts"), fresh});
-        QVERIFY2(lupdate.waitForFinished(-1), qPrintable(lupdate.errorString()));
-        QCOMPARE(lupdate.exitCode(), 0);
+        const QString failure = bringTexts(fresh);
+        QVERIFY2(failure.isEmpty(), qPrintable(failure));
 
-        const std::vector<Message> messages = messagesOf(fresh);
+        const std::vector<TranslatedText> messages = textsOf(fresh);
         QVERIFY2(messages.size() > 500, "texts are missing: lupdate did not find the sources");
         QStringList missing;
-        for (const Message &message : messages) {
+        for (const TranslatedText &message : messages) {
             if (message.isUnfinished)
                 missing += message.context + QStringLiteral(": ") + message.source;
         }
@@ -106,13 +63,11 @@ private Q_SLOTS:
     /// A translation that leaves out %1 shows a sentence without its number or name.
     void translationsFillInTheSamePlaces()
     {
-        const std::vector<Message> messages =
-            messagesOf(kSources + QStringLiteral("/translations/flatfitfab_de.ts"));
-        for (const Message &message : messages) {
-            for (const QString &translation : message.translations) {
-                QVERIFY2(placesOf(translation) == placesOf(message.source),
-                         qPrintable(message.source));
-            }
+        const std::vector<TranslatedText> messages =
+            textsOf(kSources + QStringLiteral("/translations/flatfitfab_de.ts"));
+        for (const TranslatedText &message : messages) {
+            QVERIFY2(placesOf(message.translation) == placesOf(message.source),
+                     qPrintable(message.source));
         }
     }
 
