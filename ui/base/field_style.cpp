@@ -7,11 +7,14 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
 
-constexpr double kCorner = 3.0; // px
+constexpr double kCorner = 3.0;                     // px
+constexpr int kScrollBar = 10, kLeastScrolled = 24; // px, across and along
 
 void drawBorder(QPainter *painter, const QStyleOption *option)
 {
@@ -26,6 +29,24 @@ void drawBorder(QPainter *painter, const QStyleOption *option)
     painter->setBrush(Qt::NoBrush);
     painter->drawRoundedRect(QRectF(option->rect).adjusted(inset, inset, -inset, -inset), kCorner,
                              kCorner);
+    painter->restore();
+}
+
+void drawScrollBar(QPainter *painter, const QStyleOptionSlider &bar, const QRect &handle)
+{
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->fillRect(bar.rect, bar.palette.brush(QPalette::Window));
+    const bool isHeld = bar.activeSubControls.testFlag(QStyle::SC_ScrollBarSlider) &&
+                        bar.state.testFlag(QStyle::State_Sunken);
+    const bool isOver = bar.state.testFlag(QStyle::State_MouseOver);
+    if (bar.maximum > bar.minimum) {
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(isHeld ? theme().text : isOver ? theme().muted : theme().strong);
+        const QRectF shown = QRectF(handle).adjusted(2.0, 2.0, -2.0, -2.0);
+        const double round = 0.5 * std::min(shown.width(), shown.height());
+        painter->drawRoundedRect(shown, round, round);
+    }
     painter->restore();
 }
 
@@ -79,9 +100,12 @@ void FieldStyle::drawControl(ControlElement element, const QStyleOption *option,
 int FieldStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
                             const QWidget *widget) const
 {
-    // Outside of a widget there may be nothing to draw on.
-    if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin)
+    // Outside of a widget there may be nothing to draw on. Of rows it is the air beside their words.
+    if ((metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) &&
+        !qobject_cast<const QAbstractItemView *>(widget))
         return 0;
+    if (metric == PM_ScrollBarExtent)
+        return kScrollBar;
     return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
@@ -93,9 +117,49 @@ int FieldStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWid
     return QProxyStyle::styleHint(hint, option, widget, returned);
 }
 
+QRect FieldStyle::subControlRect(ComplexControl control, const QStyleOptionComplex *option,
+                                 SubControl part, const QWidget *widget) const
+{
+    const auto *bar = qstyleoption_cast<const QStyleOptionSlider *>(option);
+    if (control != CC_ScrollBar || !bar)
+        return QProxyStyle::subControlRect(control, option, part, widget);
+    const bool isLevel = bar->orientation == Qt::Horizontal;
+    const int length = isLevel ? bar->rect.width() : bar->rect.height();
+    const int range = bar->maximum - bar->minimum;
+    int handle = length;
+    if (range > 0)
+        handle = std::clamp(
+            static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep)),
+            std::min(kLeastScrolled, length), length);
+    const int start = sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition,
+                                              length - handle, bar->upsideDown);
+    const auto along = [&](int from, int to) {
+        const QRect place = isLevel ? QRect(from, 0, to - from, bar->rect.height())
+                                    : QRect(0, from, bar->rect.width(), to - from);
+        return visualRect(bar->direction, bar->rect, place.translated(bar->rect.topLeft()));
+    };
+    switch (part) {
+    case SC_ScrollBarGroove:
+        return along(0, length);
+    case SC_ScrollBarSlider:
+        return along(start, start + handle);
+    case SC_ScrollBarSubPage:
+        return along(0, start);
+    case SC_ScrollBarAddPage:
+        return along(start + handle, length);
+    default: // arrows
+        return {};
+    }
+}
+
 void FieldStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
                                     QPainter *painter, const QWidget *widget) const
 {
+    const auto *bar = qstyleoption_cast<const QStyleOptionSlider *>(option);
+    if (control == CC_ScrollBar && bar) {
+        drawScrollBar(painter, *bar, subControlRect(control, option, SC_ScrollBarSlider, widget));
+        return;
+    }
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     if (control == CC_SpinBox || control == CC_ComboBox)
         drawBorder(painter, option);
