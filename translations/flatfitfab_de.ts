@@ -1180,7 +1180,7 @@
     </message>
     <message>
         <source>Save</source>
-        <translation>Speichern</translation>
+        <translation>Sichern</translation>
     </message>
     <message>
         <source>Save the model</source>
@@ -1204,7 +1204,7 @@
     </message>
     <message>
         <source>Export…</source>
-        <translation>Ausgeben …</translation>
+        <translation>Export …</translation>
     </message>
     <message>
         <source>Write the parts to a file for the laser cutter</source>
@@ -1532,7 +1532,7 @@
     </message>
     <message>
         <source>Mirror</source>
-        <translation>Spiegelung</translation>
+        <translation>Spiegel</translation>
     </message>
     <message>
         <source>Click a section: a mirror image of the selected ones comes on its other side</source>
@@ -1776,7 +1776,7 @@
     </message>
     <message>
         <source>Branch</source>
-        <translation>Verzweigung</translation>
+        <translation>Zweige</translation>
     </message>
     <message>
         <source>Let a section grow out of itself again and again, as a tree does</source>
@@ -1800,7 +1800,7 @@
     </message>
     <message>
         <source>Radial</source>
-        <translation>Rundform</translation>
+        <translation>Rund</translation>
     </message>
     <message>
         <source>Make a circle, a star or a gear of a section, or holes in it</source>
@@ -1912,7 +1912,7 @@
     </message>
     <message>
         <source>Snap</source>
-        <translation>Einrasten</translation>
+        <translation>Rasten</translation>
     </message>
     <message>
         <source>Draw points to others, to lines level and upright with them, and to the grid</source>
@@ -2374,7 +2374,7 @@
     </message>
     <message>
         <source>Redraw</source>
-        <translation>Neu zeichnen</translation>
+        <translation>Kontur</translation>
     </message>
     <message>
         <source>Draw a new contour for the selected section</source>
@@ -3780,7 +3780,7 @@
     </message>
     <message>
         <source>Drawings for cutters, one for each sheet</source>
-        <translation>Zeichnungen für Schneidmaschinen, eine je Platte</translation>
+        <translation>Schneidzeichnungen, eine je Platte</translation>
     </message>
 </context>
 <context>
@@ -5268,7 +5268,7 @@
     <message>
         <source>%1 · %2: kind → extended cross lap</source>
         <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Art → verlängerte Kreuzüberblattung</translation>
+        <translation>%1 · %2: Art → lange Überblattung</translation>
     </message>
     <message>
         <source>%1 · %2: kind → mortise</source>
@@ -7788,7 +7788,7 @@
     </message>
     <message>
         <source>extended cross lap</source>
-        <translation>verlängerte Kreuzüberblattung</translation>
+        <translation>lange Überblattung</translation>
     </message>
     <message>
         <source>mortise</source>
@@ -7804,7 +7804,7 @@
     </message>
     <message>
         <source>Extended cross lap</source>
-        <translation>Verlängerte Kreuzüberblattung</translation>
+        <translation>Lange Überblattung</translation>
     </message>
     <message>
         <source>Mortise</source>
@@ -8445,7 +8445,7 @@
     <name>fff::ui::NumberEdit</name>
     <message>
         <source>mixed</source>
-        <translation>verschieden</translation>
+        <translation>gemischt</translation>
     </message>
     <message>
         <source>At least %1.</source>

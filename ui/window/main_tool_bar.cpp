@@ -8,6 +8,7 @@
 
 #include <QMenu>
 #include <QPushButton>
+#include <QStyle>
 #include <QToolButton>
 
 namespace fff::ui {
@@ -57,7 +58,7 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
             &QAction::trigger);
     addWidget(m_stock);
     auto *gap = new QWidget(this);
-    gap->setFixedWidth(8);
+    gap->setFixedWidth(6);
     addWidget(gap);
     makeExport(actions.action("file.export"));
     connect(&bench, &Workbench::selectionChanged, this, &MainToolBar::followSelection);
@@ -133,8 +134,10 @@ void MainToolBar::fold(int windowWidth)
     // Whole words or none: how long they are is the language's.
     const bool hadLabels = toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
     bool labels = windowWidth >= kToolLabels;
-    if (labels && !hadLabels)
+    if (labels && !hadLabels) {
         setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        setFolded(false);
+    }
     // The buttons for a section may come and go without anything else: they have their room.
     const int room = actions().contains(m_ofSection.front())
                          ? 0
@@ -144,13 +147,28 @@ void MainToolBar::fold(int windowWidth)
     if (labels && sizeHint().width() + room > windowWidth)
         m_stock->setShort(true);
     labels = labels && sizeHint().width() + room <= windowWidth;
-    if (!labels)
+    if (!labels) {
         setToolButtonStyle(Qt::ToolButtonIconOnly);
+        setFolded(true);
+    }
     // Its word is whole, too, or not there.
     m_repeat->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     if (sizeHint().width() > windowWidth)
         m_repeat->setToolButtonStyle(Qt::ToolButtonIconOnly);
     setFixedHeight(labels ? 56 : 44);
+}
+
+/// Signs alone stand closer together than words.
+void MainToolBar::setFolded(bool isFolded)
+{
+    if (property("isFolded").toBool() == isFolded)
+        return;
+    setProperty("isFolded", isFolded);
+    for (QToolButton *button : findChildren<QToolButton *>()) {
+        style()->unpolish(button);
+        style()->polish(button);
+        button->updateGeometry();
+    }
 }
 
 void MainToolBar::refresh()

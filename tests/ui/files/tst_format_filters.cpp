@@ -71,10 +71,8 @@ void TestFormatFilters::inGerman()
     QCOMPARE(models, QStringLiteral("Modelle (*.fff *.txt);;Alle Dateien (*)"));
     QCOMPARE(drawings, QStringLiteral("Zeichnungen (*.svg *.svgz);;Alle Dateien (*)"));
     QCOMPARE(saved, QStringLiteral("FlatFitFab-Modelle (*.fff)"));
-    QCOMPARE(
-        kinds,
-        QStringLiteral("Zeichnungen für Schneidmaschinen (*.svg)|Zeichnungen für Schneidmaschinen, "
-                       "eine je Platte (*.svg)|Körper für andere Programme (*.obj)"));
+    QCOMPARE(kinds, QStringLiteral("Zeichnungen für Schneidmaschinen (*.svg)|Schneidzeichnungen, "
+                                   "eine je Platte (*.svg)|Körper für andere Programme (*.obj)"));
     QCOMPARE(said,
              QStringLiteral("b.png ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab."));
 }
