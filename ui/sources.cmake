@@ -82,6 +82,7 @@ target_sources(fff_ui PRIVATE
     docks/outline_dock.cpp
     docks/outline_marks.cpp
     docks/physics_dock.cpp
+    docks/place_button.cpp
     docks/problem_box.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp

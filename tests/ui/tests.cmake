@@ -45,6 +45,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/tst_lengths
     ui/tst_measures
     ui/tst_names_in_german
+    ui/tst_nothing_is_cut
     ui/tst_plain_words
     ui/tst_stress_picture
     ui/tst_theme

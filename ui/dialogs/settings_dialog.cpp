@@ -126,7 +126,7 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
 {
     setObjectName(QStringLiteral("settingsDialog"));
     setWindowTitle(tr("Settings"));
-    resize(QSize(740, 520).boundedTo(screen()->availableSize() - QSize(40, 60)));
+    resize(QSize(780, 560).boundedTo(screen()->availableSize() - QSize(40, 60)));
 
     m_groups = new QListWidget(this);
     m_groups->setObjectName(QStringLiteral("settingsGroups"));

@@ -16,6 +16,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
 #include "ui/docks/movement_rows.h"
+#include "ui/docks/place_button.h"
 #include "ui/properties/mass_edit.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/varying_rows.h"
@@ -26,7 +27,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
@@ -50,14 +50,6 @@ constexpr NumberEdit::Range kShownFrom{Settings::kMinStressShown, Settings::kMax
 constexpr NumberEdit::Range kNotch{0.1 * Settings::kMinNotch, 0.1 * Settings::kMaxNotch, 0.1, 1, 1};
 constexpr NumberEdit::Range kSafety{0.1 * Settings::kMinSafety, 0.1 * Settings::kMaxSafety, 0.1, 1,
                                     1};
-
-QIcon chipOf(double use, double pixelRatio)
-{
-    QPixmap picture(QSize(10, 14) * pixelRatio);
-    picture.setDevicePixelRatio(pixelRatio);
-    picture.fill(stressColour(use, theme().viewStyle().isForColourBlind));
-    return picture;
-}
 
 } // namespace
 
@@ -133,11 +125,8 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     column->addWidget(m_loads);
     m_placesGroup = new PropertyGroup(tr("Weakest places"), page);
     for (std::size_t i = 0; i < kMostPlaces; ++i) {
-        auto *button = new QPushButton;
+        auto *button = new PlaceButton;
         button->setObjectName(QStringLiteral("weakPlace%1").arg(i));
-        button->setFlat(true);
-        button->setAutoDefault(false);
-        button->setStyleSheet(QStringLiteral("text-align: left; padding: 3px 0px;"));
         connect(button, &QPushButton::clicked, this, [this, i] {
             if (i < m_shown.size())
                 frame(m_shown[i].place);
@@ -287,6 +276,7 @@ void PhysicsDock::addLoadRow(std::size_t index)
                 amount->setNumber(
                     unit * (loads[index].isPush() ? loads[index].push.norm() : loads[index].mass));
         });
+    row->giveNameTheRest();
     row->addButton(
         QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
         load.isPush() ? tr("Remove this push") : tr("Remove this weight"), [this, index] {
@@ -434,13 +424,15 @@ void PhysicsDock::refreshPlaces()
         if (i >= m_shown.size())
             continue;
         const Model &model = m_held->analysis->model;
-        //: the name of a section, a place in it such as "at its neck", a number of percent
-        m_places[i]->setText(
-            tr("%1, %2: %3\u202f%")
-                .arg(QString::fromStdString(model.nameOf(m_shown[i].place.section)),
-                     messageText(spotText(m_shown[i].place, model)),
-                     locale().toString(100.0 * m_shown[i].use, 'f', 0)));
-        m_places[i]->setIcon(chipOf(m_shown[i].use, devicePixelRatioF()));
+        const QString where = QString::fromStdString(model.nameOf(m_shown[i].place.section));
+        const QString spot = messageText(spotText(m_shown[i].place, model));
+        const QString share = locale().toString(100.0 * m_shown[i].use, 'f', 0);
+        m_places[i]->tell(
+            //: the name of a section, and a place in it such as "at its neck"
+            tr("%1, %2").arg(where, spot), QStringLiteral("%1\u202f%").arg(share),
+            stressColour(m_shown[i].use, theme().viewStyle().isForColourBlind),
+            //: the name of a section, a place in it such as "at its neck", a number of percent
+            tr("%1, %2: %3\u202f%").arg(where, spot, share));
     }
 }
 

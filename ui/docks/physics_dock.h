@@ -10,7 +10,6 @@
 
 class QCheckBox;
 class QLabel;
-class QPushButton;
 class QToolButton;
 
 namespace fff {
@@ -21,6 +20,7 @@ struct Holding;
 namespace fff::ui {
 
 class MovementRows;
+class PlaceButton;
 class PropertyGroup;
 class PropertyRow;
 class VaryingRows;
@@ -74,7 +74,7 @@ private:
     VaryingRows *m_weights = nullptr;
     std::vector<PropertyRow *> m_sums, m_rules;
     QLabel *m_empty = nullptr;
-    std::vector<QPushButton *> m_places;
+    std::vector<PlaceButton *> m_places;
     std::vector<Place> m_shown; // one a button
 };
 

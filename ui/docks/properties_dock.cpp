@@ -40,7 +40,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     m_operationPage = new OperationPage(bench, content);
     m_loadPage = new LoadPage(bench, content);
     auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(16, 12, 12, 12);
+    column->setContentsMargins(12, 12, 12, 12);
     column->setSpacing(0);
     column->addWidget(m_header);
     column->addSpacing(12);

@@ -7,6 +7,7 @@
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QStyleOptionSpinBox>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -63,6 +64,19 @@ void NumberEdit::setCompact()
     setMinimumWidth(kCompactWidth);
     setSizePolicy(QSizePolicy::Ignored, sizePolicy().verticalPolicy());
     setSuffix({});
+}
+
+int NumberEdit::widthFor(const QString &number) const
+{
+    constexpr int kBesideText = 6; // px that a line of text leaves free, with the cursor
+    QStyleOptionSpinBox option;
+    initStyleOption(&option);
+    option.rect = QRect(0, 0, kWidth, sizeHint().height());
+    const int room =
+        style()
+            ->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxEditField, this)
+            .width();
+    return fontMetrics().horizontalAdvance(number + m_suffix) + kBesideText + kWidth - room;
 }
 
 /// Without its unit, beside which the word "mixed" would not be seen.

@@ -30,6 +30,9 @@ public:
     /// For several beside each other: narrow, without arrows and unit.
     void setCompact();
 
+    /// What it takes to show this number with its unit, px.
+    int widthFor(const QString &number) const;
+
     /// Shows a value without announcing it; nothing: the selected things differ. Leaves the field
     /// alone while a person is typing in it.
     void setNumber(std::optional<double> number);

@@ -24,8 +24,11 @@ struct ParameterRowTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::ParameterRow)
 };
 
-constexpr int kFieldWidth = 84;     // px
-constexpr int kSegmentsWidth = 172; // px; what takes more becomes a list
+constexpr int kFieldWidth = 84; // px
+/// What fields have room for.
+const QString kNumber = QStringLiteral("88.88"), kLongNumber = QStringLiteral("1888.8");
+constexpr double kLongLength = 1000.0; // mm
+constexpr int kSegmentsWidth = 172;    // px; what takes more becomes a list
 /// Digits that numbers as people say them are worth: the rest is rounding of radians and shares.
 constexpr double kSpokenDigits = 1e6;
 
@@ -122,7 +125,10 @@ void ParameterRow::makeNumber()
 {
     const auto spoken = [this](double value) { return rounded(spokenValue(m_spec.unit, value)); };
     m_field = numberEdit();
-    m_field->setMinimumWidth(kFieldWidth);
+    const bool isLong = m_spec.unit == Unit::Length && spoken(m_spec.most) >= kLongLength;
+    const QString sign = m_spec.least < 0.0 ? QStringLiteral("\u2212") : QString();
+    m_field->setMinimumWidth(
+        std::max(kFieldWidth, m_field->widthFor(sign + (isLong ? kLongNumber : kNumber))));
     // There is one operation: nothing is mixed, but with it off nothing is known.
     m_field->findChild<QLineEdit *>()->setPlaceholderText(QStringLiteral("\u2013"));
     const double notch = spoken(m_spec.step);

@@ -14,7 +14,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kLabelWidth = 104, kRowHeight = 30; // px
+constexpr int kLabelWidth = 96, kRowHeight = 30; // px
 
 } // namespace
 
@@ -103,6 +103,25 @@ void PropertyRow::alignLabels(const std::vector<PropertyRow *> &rows)
         row->m_label->setMinimumWidth(width);
 }
 
+void PropertyRow::giveNameTheRest()
+{
+    m_nameHasTheRest = true;
+    m_label->setMinimumWidth(0);
+    m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto *row = static_cast<QHBoxLayout *>(layout());
+    row->setStretchFactor(m_label, 1);
+    row->setStretchFactor(m_editor, 0);
+}
+
+void PropertyRow::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (!m_nameHasTheRest)
+        return;
+    layout()->activate();
+    showName();
+}
+
 /// What is read out when it has the focus.
 void PropertyRow::tellEditor()
 {
@@ -115,6 +134,14 @@ void PropertyRow::tellEditor()
 void PropertyRow::showName()
 {
     const QString mark = m_isMarked ? QStringLiteral(" \u2022") : QString();
+    if (m_nameHasTheRest) {
+        QString name =
+            m_label->fontMetrics().elidedText(m_pattern, Qt::ElideRight, m_label->width());
+        m_label->setToolTip(name == m_pattern ? QString() : m_pattern);
+        name.replace(u'&', QStringLiteral("&&")); // no key of a shortcut
+        m_label->setText(name);
+        return;
+    }
     if (m_of.isEmpty()) {
         m_label->setText(m_pattern + mark);
         return;

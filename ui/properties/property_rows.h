@@ -36,11 +36,15 @@ public:
     void setName(const QString &pattern, const QString &of = {});
     /// Marked: a person has set it, in place of what it is by itself. tip: says so.
     void setMarked(bool marked, const QString &tip);
+    /// The editor keeps its size and the name has the rest; cut short, its tip says all of it. For
+    /// names that a person gives.
+    void giveNameTheRest();
     /// Labels of rows that stand below one another, as wide as the widest, so that their editors
     /// begin at one line.
     static void alignLabels(const std::vector<PropertyRow *> &rows);
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     PropertyRow(const QString &name, QWidget *parent);
     /// The editor has the label's place, too.
     void giveWholeRow();
@@ -57,6 +61,7 @@ private:
     QWidget *m_editor = nullptr;
     QString m_pattern, m_of; // its name
     bool m_isMarked = false;
+    bool m_nameHasTheRest = false;
 };
 
 /// Read only.

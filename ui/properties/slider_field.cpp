@@ -13,7 +13,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kSettleTime = 350; // ms
-constexpr int kSliderWidth = 64; // px at least
+constexpr int kSliderWidth = 40; // px at least
 
 } // namespace
 

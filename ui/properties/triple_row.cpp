@@ -6,7 +6,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kTripleLabel = 64, kBetweenFields = 4; // px
+constexpr int kTripleLabel = 54, kBetweenFields = 4; // px
 
 } // namespace
 

@@ -8,7 +8,6 @@
 
 #include <QApplication>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +15,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
@@ -32,6 +32,7 @@ constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
 constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
 constexpr NumberEdit::Range kCopies{0.0, 500.0, 1.0, 0, 0};
 constexpr int kFieldWidth = 104, kNarrowField = 88; // px
+const QString kNumber = QStringLiteral("\u22121888.8");   // fields have room for it
 constexpr int kFewFields = 3;                       // in a row of a view that is not wide
 
 /// Numbers of points come and go with what is typed; others stay with their tool.
@@ -98,9 +99,9 @@ CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
     addField(Kind::Copies, new NumberEdit(kCopies, QString(), this), tr("Copies"), "canvasCopies");
     addField(Kind::Wanted, new LengthEdit(kWanted, this), tr("Length"), "canvasWanted");
     m_buttons = new QWidget(this);
-    auto *row = new QHBoxLayout(m_buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    m_buttonGrid = new QGridLayout(m_buttons);
+    m_buttonGrid->setContentsMargins(0, 0, 0, 0);
+    m_buttonGrid->setSpacing(6);
     hide();
     view->installEventFilter(this);
     connect(&bench, &Workbench::viewChanged, this, &CanvasBar::refresh);
@@ -116,7 +117,8 @@ void CanvasBar::addField(ToolNumber::Kind kind, NumberEdit *edit, const QString 
     label->setForegroundRole(QPalette::PlaceholderText);
     edit->setObjectName(QLatin1String(objectName));
     edit->setAccessibleName(name);
-    edit->setFixedWidth(isOfPoint(kind) ? kFieldWidth : kNarrowField);
+    edit->setFixedWidth(
+        std::max(isOfPoint(kind) ? kFieldWidth : kNarrowField, edit->widthFor(kNumber)));
     m_fields.push_back({kind, label, edit});
     auto *line = edit->findChild<QLineEdit *>();
     connect(line, &QLineEdit::textEdited, this, [this, kind, edit] {
@@ -201,8 +203,9 @@ void CanvasBar::showCommands()
     if (commands == m_commands)
         return;
     m_commands = std::move(commands);
-    for (QToolButton *old : m_buttons->findChildren<QToolButton *>()) {
+    for (QToolButton *old : std::exchange(m_commandButtons, {})) {
         old->hide();
+        m_buttonGrid->removeWidget(old);
         old->deleteLater();
     }
     for (const std::string_view command : m_commands) {
@@ -213,7 +216,7 @@ void CanvasBar::showCommands()
         button->setIconSize({16, 16});
         button->setFocusPolicy(Qt::TabFocus);
         button->setObjectName(QStringLiteral("canvas.") + button->defaultAction()->objectName());
-        m_buttons->layout()->addWidget(button);
+        m_commandButtons.push_back(button);
     }
     m_buttons->setVisible(!m_commands.empty());
 }
@@ -294,8 +297,12 @@ bool CanvasBar::eventFilter(QObject *object, QEvent *event)
 }
 
 /// The commands stand below the fields, beside a single one where there is room.
-void CanvasBar::arrange(int fieldsInRow)
+void CanvasBar::arrange(int fieldsInRow, int buttonsInRow)
 {
+    for (std::size_t i = 0; i < m_commandButtons.size(); ++i) {
+        const int at = static_cast<int>(i);
+        m_buttonGrid->addWidget(m_commandButtons[i], at / buttonsInRow, at % buttonsInRow);
+    }
     int shown = 0;
     for (Field &field : m_fields) {
         const int row = shown / fieldsInRow, column = 2 * (shown % fieldsInRow);
@@ -313,11 +320,16 @@ void CanvasBar::arrange(int fieldsInRow)
 
 void CanvasBar::place()
 {
+    const int all = std::max(1, static_cast<int>(m_commandButtons.size()));
+    const auto fits = [this] { return sizeHint().width() <= parentWidget()->width() - 2 * kBelow; };
     for (const int fieldsInRow : {static_cast<int>(m_fields.size()), kFewFields, 2}) {
-        arrange(fieldsInRow);
-        if (sizeHint().width() <= parentWidget()->width() - 2 * kBelow)
+        arrange(fieldsInRow, all);
+        if (fits())
             break;
     }
+    // Then it is the buttons that are too wide.
+    for (int buttonsInRow = (all + 1) / 2; !fits() && buttonsInRow > 0; buttonsInRow /= 2)
+        arrange(2, buttonsInRow);
     const QSize size = sizeHint();
     resize(size);
     const int left = (parentWidget()->width() - size.width()) / 2;

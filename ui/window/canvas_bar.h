@@ -12,6 +12,7 @@
 
 class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace fff::ui {
 
@@ -55,14 +56,15 @@ private:
     void close();
     void follow(QWidget *focus);
     void place();
-    void arrange(int fieldsInRow);
+    void arrange(int fieldsInRow, int buttonsInRow);
     void showCommands();
 
     Workbench &m_bench;
     const ActionSet &m_actions;
     QWidget *m_buttons = nullptr;
     std::vector<std::string_view> m_commands; // that have buttons
-    QGridLayout *m_grid = nullptr;
+    std::vector<QToolButton *> m_commandButtons;
+    QGridLayout *m_grid = nullptr, *m_buttonGrid = nullptr;
     std::vector<Field> m_fields;
     bool m_isOpen = false; // something is typed, or was
 };

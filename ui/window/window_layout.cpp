@@ -17,7 +17,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
-constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 380; // px
+constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 480; // px
 constexpr int kTabBorders = 30;   // px beside a tab's name (resources/style/window.qss)
 constexpr int kBelowHeight = 272; // px
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
@@ -68,12 +68,28 @@ void WindowLayout::add(QDockWidget *dock, Place place, bool isShown)
             show(dock);
         if (shows)
             dock->raise();
+        if (shows && isNarrow())
+            widenForTabs();
     });
+}
+
+bool WindowLayout::isNarrow() const
+{
+    return m_window.width() < kTwoColumns;
+}
+
+/// One more tab than before: the names of all can be read still.
+void WindowLayout::widenForTabs()
+{
+    QDockWidget *first = m_docks.front();
+    const int width = narrowWidth(m_docks);
+    if (!first->isFloating() && first->width() < width)
+        m_window.resizeDocks({first}, {width}, Qt::Horizontal);
 }
 
 void WindowLayout::reset()
 {
-    const bool wide = m_window.width() >= kTwoColumns;
+    const bool wide = !isNarrow();
     for (QDockWidget *dock : m_docks) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);

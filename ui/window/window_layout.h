@@ -48,6 +48,8 @@ Q_SIGNALS:
     void hiddenChanged(bool hidden);
 
 private:
+    bool isNarrow() const;
+    void widenForTabs();
     void follow();
     void bringBack();
     void forgetHiding();
@@ -56,7 +58,7 @@ private:
     std::vector<QDockWidget *> m_docks;
     std::vector<Place> m_places;  // one a dock
     std::vector<char> m_areShown; // at first
-    QByteArray m_beforeHiding; // empty: nothing is hidden
+    QByteArray m_beforeHiding;    // empty: nothing is hidden
     bool m_isHidden = false, m_isAway = false;
 };
 
