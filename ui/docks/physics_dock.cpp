@@ -64,8 +64,6 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     area->setFocusPolicy(Qt::NoFocus);
     area->setAccessibleName(tr("Physics"));
     auto *page = new QWidget(area);
-    page->setBackgroundRole(QPalette::Base);
-    page->setAutoFillBackground(true);
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(kMargin, 0, kMargin, kMargin);
     column->setSpacing(0);

@@ -276,10 +276,11 @@ void SectionPage::refreshJoints()
         double length = 0.0;
         for (const Overlap &overlap : joint.crossing->overlaps)
             length += overlap.to - overlap.from;
-        entries.push_back(
-            {analysis.model.ref(other), QString::fromStdString(analysis.model.section(other)->name),
-             tr("%1 · %2").arg(jointKindText(joint.kind), lengthText(length, 1, 1, locale())),
-             joint.kind == JointKind::None});
+        const QString size = lengthText(length, 1, 1, locale());
+        entries.push_back({analysis.model.ref(other),
+                           QString::fromStdString(analysis.model.section(other)->name),
+                           tr("%1 · %2").arg(jointKindText(joint.kind), size),
+                           joint.kind == JointKind::None, size});
     }
     m_joints->setEntries(entries);
 }

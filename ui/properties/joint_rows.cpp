@@ -81,8 +81,11 @@ protected:
         const QFontMetrics metrics(font());
         // The name says which joint it is: it keeps half of the row before the kind is cut short.
         const int name = std::min(metrics.horizontalAdvance(m_entry.name), words.width() / 2);
+        const int room = words.width() - name - kGap;
+        const bool isWhole = metrics.horizontalAdvance(m_entry.text) <= room;
         const QString text =
-            metrics.elidedText(m_entry.text, Qt::ElideMiddle, words.width() - name - kGap);
+            metrics.elidedText(isWhole || m_entry.brief.isEmpty() ? m_entry.text : m_entry.brief,
+                               Qt::ElideMiddle, room);
         const int right = metrics.horizontalAdvance(text);
         painter.setPen(t.muted);
         painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, text);

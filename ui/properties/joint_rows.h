@@ -22,6 +22,7 @@ public:
         SectionRef other;
         QString name, text;
         bool isProblem = false;
+        QString brief = {}; // of the text, where there is no room for all of it
         bool operator==(const Entry &) const = default;
     };
 

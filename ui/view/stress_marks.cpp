@@ -231,7 +231,7 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  MarkPen::Anchor::Left,
                  //: %1 is a number of percent
                  StressTexts::tr("%1\u202f%").arg(locale.toString(100.0 * worst.use, 'f', 0)),
-                 stressColour(worst.use, pen.style().isForColourBlind));
+                 pen.style().problem); // as text the colours of stress are too dark in the dark
     }
     paintForces(pen, seenForces(pen, marks, view), marks.isOlder, locale);
     paintStressKey(pen, marks, locale);
