@@ -207,6 +207,7 @@ QString Theme::styleSheet() const
 ViewStyle Theme::viewStyle() const
 {
     ViewStyle style; // the light one
+    style.isForColourBlind = isHighContrast || settings().isStressColourSafe();
     if (!isDark && !isHighContrast)
         return style;
     style.text = text;
@@ -233,7 +234,6 @@ ViewStyle Theme::viewStyle() const
         style.faceBrightness = 0.94;
     }
     if (isHighContrast) {
-        style.isForColourBlind = true;
         style.top = style.bottom = window;
         style.gridFine = isDark ? QColor(0x5a, 0x5a, 0x5a) : QColor(0xa6, 0xa6, 0xa6);
         style.gridStrong = isDark ? QColor(0xa6, 0xa6, 0xa6) : QColor(0x5a, 0x5a, 0x5a);

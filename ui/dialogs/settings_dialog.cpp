@@ -27,11 +27,13 @@ namespace {
 
 constexpr int kFieldWidth = 200; // px, at least
 
+} // namespace
+
 /// A form with room for what German needs: labels wrap onto a line of their own.
-class Form : public QWidget
+class SettingsForm : public QWidget
 {
 public:
-    Form()
+    SettingsForm()
     {
         m_form = new QFormLayout(this);
         m_form->setContentsMargins(0, 0, 0, 0);
@@ -55,7 +57,9 @@ public:
         auto *text = new QLabel(sentence, this);
         text->setWordWrap(true);
         text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-        text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+        QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+        policy.setHeightForWidth(true); // no more lines than it takes
+        text->setSizePolicy(policy);
         text->setForegroundRole(QPalette::PlaceholderText);
         m_form->addRow(QString(), text);
         if (QWidget *field = m_described)
@@ -118,8 +122,6 @@ private:
     QFormLayout *m_form = nullptr;
     QWidget *m_described = nullptr;
 };
-
-} // namespace
 
 SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *parent)
     : QDialog(parent)
@@ -198,7 +200,7 @@ void SettingsDialog::addPage(const QString &name, const QString &icon, QWidget *
 
 QWidget *SettingsDialog::makeGeneral()
 {
-    auto *form = new Form;
+    auto *form = new SettingsForm;
     form->choice("settingsUnit", tr("Units"),
                  {tr("Millimetres (mm)"), tr("Centimetres (cm)"), tr("Inches (in)")},
                  static_cast<int>(settings().unit()),
@@ -222,7 +224,7 @@ QWidget *SettingsDialog::makeGeneral()
 
 QWidget *SettingsDialog::makeView()
 {
-    auto *form = new Form;
+    auto *form = new SettingsForm;
     form->wholeNumber("settingsTurnTime", tr("Turning time"), {0, Settings::kMaxTurnTime, 50},
                       tr("ms"), settings().turnTime(),
                       [](int time) { settings().setTurnTime(time); });
@@ -245,12 +247,15 @@ QWidget *SettingsDialog::makeView()
                  static_cast<int>(settings().motion()),
                  [](int index) { settings().setMotion(static_cast<Motion>(index)); });
     form->note(tr("With as little as possible, the view jumps instead of turning."));
+    form->box("settingsColourSafe", tr("Stress colours for the colour-blind"),
+              settings().isStressColourSafe(), [](bool on) { settings().setStressColourSafe(on); });
+    form->note(tr("From light to dark instead of blue to red. Always so in high contrast."));
     return form;
 }
 
 QWidget *SettingsDialog::makeChecks()
 {
-    auto *form = new Form;
+    auto *form = new SettingsForm;
     form->wholeNumber("settingsShallowAngle", tr("Warn about angles below"),
                       {Settings::kMinShallowAngle, Settings::kMaxShallowAngle}, tr("°"),
                       settings().shallowAngle(),
@@ -270,12 +275,32 @@ QWidget *SettingsDialog::makeChecks()
         });
     form->note(
         tr("In the background, after each change. Allow more time if the checks find no order."));
+    addStrength(*form);
     return form;
+}
+
+/// How strict verdicts about strength are; the Physics panel has the same.
+void SettingsDialog::addStrength(SettingsForm &form)
+{
+    const auto tenths = [&form](const char *name, const QString &label, int least, int most,
+                                int current, const std::function<void(int)> &edited) {
+        form.number(
+            name, label, {0.1 * least, 0.1 * most, 0.1, 1, 1}, QString(), 0.1 * current,
+            [edited](double value) { edited(static_cast<int>(std::lround(10.0 * value))); });
+    };
+    tenths("settingsSafety", tr("Safety factor"), Settings::kMinSafety, Settings::kMaxSafety,
+           settings().safetyFactor(), [](int factor) { settings().setSafetyFactor(factor); });
+    form.note(tr("How many times its load a model has to bear before it is said to hold."));
+    tenths("settingsNotch", tr("Notch factor, at most"), Settings::kMinNotch, Settings::kMaxNotch,
+           settings().notchFactor(), [](int factor) { settings().setNotchFactor(factor); });
+    form.note(tr("How many times higher stress is taken to be at inner corners."));
+    form.box("settingsLasting", tr("Loads stay for months"), settings().isLoadLasting(),
+             [](bool on) { settings().setLoadLasting(on); });
 }
 
 QWidget *SettingsDialog::makeFiles()
 {
-    auto *form = new Form;
+    auto *form = new SettingsForm;
     form->wholeNumber("settingsAutosave", tr("Back up unsaved work every"),
                       {Settings::kMinAutosaveInterval, Settings::kMaxAutosaveInterval}, tr("s"),
                       settings().autosaveInterval(),

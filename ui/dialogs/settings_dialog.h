@@ -11,6 +11,8 @@ class QStackedWidget;
 
 namespace fff::ui {
 
+class SettingsForm;
+
 class SettingsDialog : public QDialog
 {
     Q_OBJECT
@@ -27,6 +29,7 @@ private:
     QWidget *makeGeneral();
     QWidget *makeView();
     QWidget *makeChecks();
+    void addStrength(SettingsForm &form);
     QWidget *makeFiles();
 
     QListWidget *m_groups = nullptr;

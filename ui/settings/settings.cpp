@@ -29,6 +29,7 @@ const QString kNotch = QStringLiteral("checks/notchFactor");
 const QString kLasting = QStringLiteral("checks/loadLasting");
 const QString kStressShown = QStringLiteral("checks/stressShown");
 const QString kSafety = QStringLiteral("checks/safetyFactor");
+const QString kColourSafe = QStringLiteral("display/colourSafeStress");
 const QString kBends = QStringLiteral("checks/bendsSections");
 const QString kTouching = QStringLiteral("checks/touching");
 const QString kPlanning = QStringLiteral("checks/planningTime");
@@ -375,6 +376,19 @@ void Settings::setStressShown(int percent)
         return;
     store(kStressShown, percent);
     Q_EMIT checksChanged();
+}
+
+bool Settings::isStressColourSafe() const
+{
+    return m_store.value(kColourSafe, false).toBool();
+}
+
+void Settings::setStressColourSafe(bool isSafe)
+{
+    if (isSafe == isStressColourSafe())
+        return;
+    store(kColourSafe, isSafe);
+    Q_EMIT colourSchemeChanged();
 }
 
 bool Settings::bendsSections() const

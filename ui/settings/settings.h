@@ -96,6 +96,8 @@ public:
     static constexpr int kMinStressShown = 0, kMaxStressShown = 95; // %
     int stressShown() const; // from which on stresses are shown; % of what the sheet bears
     void setStressShown(int percent);
+    bool isStressColourSafe() const; // told by lightness, for those who cannot tell the hues
+    void setStressColourSafe(bool isSafe);
     bool bendsSections() const; // whether forces are also worked out with sections that bend
     void setBendsSections(bool bends);
 

@@ -49,6 +49,7 @@ private Q_SLOTS:
     void checksFollowTheSettingsAtOnce();
     void stocksOpenOnTheScreen();
     void theThemeIsFollowedAtOnce();
+    void stressColoursAreChosenForTheColourBlind();
     void theTurnTimeIsFollowedAtOnce();
     void everyActionHasAnIconAndIsInAMenu();
     void aShortcutIsChangedInAllWindows();
@@ -161,6 +162,10 @@ void TestDialogs::numbersAreKeptAsTheyAreShown_data()
         &Settings::shallowAngle, 33);
     row("the planning time to ms", Page::Checks, "settingsPlanningTime", "1.256", "1.256",
         &Settings::planningTime, 1256);
+    row("the safety factor to tenths", Page::Checks, "settingsSafety", "2.56", "2.6",
+        &Settings::safetyFactor, 26);
+    row("the notch factor to tenths", Page::Checks, "settingsNotch", "3.5", "3.5",
+        &Settings::notchFactor, 35);
     row("the time between copies to whole s", Page::Files, "settingsAutosave", "17.5", "18",
         &Settings::autosaveInterval, 18);
 }
@@ -232,6 +237,23 @@ void TestDialogs::theThemeIsFollowedAtOnce()
     settings().setColourScheme(ColourScheme::HighContrast);
     QVERIFY(theme().isHighContrast);
     QCOMPARE(m_window->palette().color(QPalette::Window), theme().window);
+}
+
+// Wrong: who cannot tell red from green has to have all of the window in high contrast.
+void TestDialogs::stressColoursAreChosenForTheColourBlind()
+{
+    const auto press = [](QDialog *dialog) {
+        dialog->findChild<QCheckBox *>(QStringLiteral("settingsColourSafe"))->click();
+    };
+    QVERIFY(!theme().viewStyle().isForColourBlind);
+    withSettings(SettingsDialog::Page::View, press);
+    QVERIFY(theme().viewStyle().isForColourBlind);
+    QVERIFY(!theme().isHighContrast);
+    withSettings(SettingsDialog::Page::View, press);
+    QVERIFY(!theme().viewStyle().isForColourBlind);
+    settings().setColourScheme(ColourScheme::HighContrast);
+    QVERIFY(theme().viewStyle().isForColourBlind);
+    settings().setColourScheme(ColourScheme::Light);
 }
 
 void TestDialogs::theTurnTimeIsFollowedAtOnce()

@@ -52,6 +52,7 @@ void TestSettings::defaultsAreThoseOfTheManual()
     QCOMPARE(settings.planningTime(), 1000);
     QCOMPARE(settings.autosaveInterval(), 10);
     QVERIFY(settings.keepsBackup());
+    QVERIFY(!settings.isStressColourSafe());
     QVERIFY(settings.recentFiles().isEmpty());
     QVERIFY(!settings.shortcuts(QStringLiteral("edit.undo")));
 }
@@ -70,6 +71,7 @@ void TestSettings::whatIsSetIsThereAtTheNextStart()
         settings.setPlanningTime(5000);
         settings.setAutosaveInterval(20);
         settings.setKeepsBackup(false);
+        settings.setStressColourSafe(true);
         settings.setWindowGeometry(QByteArray("\0\1\xff,;=", 6));
         settings.setMemory(QStringLiteral("export/filter"), QStringLiteral("obj"));
     }
@@ -78,6 +80,7 @@ void TestSettings::whatIsSetIsThereAtTheNextStart()
     QCOMPARE(next.colourScheme(), ColourScheme::Dark);
     QCOMPARE(next.language(), QStringLiteral("de"));
     QVERIFY(!next.showsStartPage());
+    QVERIFY(next.isStressColourSafe());
     QCOMPARE(next.shallowAngle(), 45);
     QCOMPARE(next.planningTime(), 5000);
     QCOMPARE(next.turnTime(), 250);
