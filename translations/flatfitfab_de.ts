@@ -2742,19 +2742,19 @@
     </message>
     <message>
         <source>Sections from SV&amp;G…</source>
-        <translation>Scheiben aus SV&amp;G…</translation>
+        <translation>Scheiben aus SV&amp;G …</translation>
     </message>
     <message>
         <source>&amp;Contour from SVG…</source>
-        <translation>&amp;Kontur aus SVG…</translation>
+        <translation>&amp;Kontur aus SVG …</translation>
     </message>
     <message>
         <source>&amp;Holes from SVG…</source>
-        <translation>&amp;Löcher aus SVG…</translation>
+        <translation>&amp;Löcher aus SVG …</translation>
     </message>
     <message>
         <source>&amp;Marks from SVG…</source>
-        <translation>&amp;Markierungen aus SVG…</translation>
+        <translation>&amp;Markierungen aus SVG …</translation>
     </message>
     <message>
         <source>Measure between two places; keep the length, or scale the model to it</source>
@@ -2774,7 +2774,7 @@
     </message>
     <message>
         <source>&amp;Mirror…</source>
-        <translation>&amp;Spiegeln…</translation>
+        <translation>&amp;Spiegeln …</translation>
     </message>
     <message>
         <source>Mirror the selected sections, or one side of the model to the other</source>
@@ -6537,7 +6537,7 @@
     </message>
     <message>
         <source>working…</source>
-        <translation>läuft…</translation>
+        <translation>läuft …</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -6686,7 +6686,7 @@
     </message>
     <message>
         <source>Checking…</source>
-        <translation>Wird geprüft…</translation>
+        <translation>Wird geprüft …</translation>
     </message>
     <message>
         <source>Still checking. It is done as soon as that is known.</source>
@@ -7182,7 +7182,7 @@
     </message>
     <message>
         <source>Checking…</source>
-        <translation>Wird geprüft…</translation>
+        <translation>Wird geprüft …</translation>
     </message>
     <message>
         <source>Nothing to look out for.</source>
@@ -7599,7 +7599,7 @@
     </message>
     <message>
         <source>Choose…</source>
-        <translation>Auswählen…</translation>
+        <translation>Auswählen …</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -7949,7 +7949,7 @@
     </message>
     <message>
         <source>Folder…</source>
-        <translation>Ordner…</translation>
+        <translation>Ordner …</translation>
     </message>
     <message>
         <source>Choose the folder whose models are shown here</source>
@@ -8760,7 +8760,7 @@
     </message>
     <message>
         <source>Older than the drawing, working…</source>
-        <translation>Älter als die Zeichnung, wird ermittelt…</translation>
+        <translation>Älter als die Zeichnung, wird ermittelt …</translation>
     </message>
     <message>
         <source>It does not stand; no stress is shown.</source>
@@ -8826,7 +8826,7 @@
     </message>
     <message>
         <source>working…</source>
-        <translation>läuft…</translation>
+        <translation>läuft …</translation>
     </message>
     <message>
         <source>stopped</source>
