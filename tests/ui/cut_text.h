@@ -93,7 +93,8 @@ inline QString cutCombo(const QComboBox &box)
             .width();
     for (int i = 0; i < box.count(); ++i) {
         const int icon = box.itemIcon(i).isNull() ? 0 : box.iconSize().width() + 4;
-        const QString cut = tooNarrow(box.itemText(i), icon + widthOf(box, box.itemText(i)), room + 2);
+        const QString cut =
+            tooNarrow(box.itemText(i), icon + widthOf(box, box.itemText(i)), room - 1);
         if (!cut.isEmpty())
             return cut;
     }

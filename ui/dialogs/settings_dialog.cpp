@@ -57,9 +57,10 @@ public:
         auto *text = new QLabel(sentence, this);
         text->setWordWrap(true);
         text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-        QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+        QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
         policy.setHeightForWidth(true); // no more lines than it takes
         text->setSizePolicy(policy);
+        text->setMinimumHeight(1); // in place of that of a narrower one
         text->setForegroundRole(QPalette::PlaceholderText);
         m_form->addRow(QString(), text);
         if (QWidget *field = m_described)

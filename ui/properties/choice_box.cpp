@@ -18,8 +18,9 @@ namespace {
 
 /// What Fusion leaves free beside the icon, px.
 constexpr int kBesideChip = 4;
-/// Its own hint for the size of a box is so much short of what its text takes, px.
-constexpr int kShort = 2;
+/// The hint of QComboBox for its size is so much short of what its text takes, and Fusion begins
+/// the text so far in, px.
+constexpr int kShort = 3, kInset = 1;
 
 } // namespace
 
@@ -74,6 +75,11 @@ void ChoiceBox::setChoices(const Choices &choices)
     }
 }
 
+QSize ChoiceBox::sizeHint() const
+{
+    return QComboBox::sizeHint() + QSize(kShort, 0);
+}
+
 void ChoiceBox::showPopup()
 {
     for (QWidget *list : {static_cast<QWidget *>(view()), view()->parentWidget()})
@@ -88,7 +94,7 @@ QString ChoiceBox::shownText(const QStyleOptionComboBox &option) const
         style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     const int chip = option.currentIcon.isNull() ? 0 : option.iconSize.width() + kBesideChip;
     return fontMetrics().elidedText(option.currentText, Qt::ElideRight,
-                                    field.width() - chip + kShort);
+                                    field.width() - chip - kInset);
 }
 
 bool ChoiceBox::event(QEvent *event)

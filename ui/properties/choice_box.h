@@ -35,6 +35,7 @@ public:
     void setChoices(const Choices &choices);
 
     /// In the colours of the theme, which are the window's, not those of a list that opens over it.
+    QSize sizeHint() const override;
     void showPopup() override;
 
 protected:
