@@ -27,7 +27,7 @@
 #include <QTranslator>
 
 #include <functional>
-#include <set>
+#include <string_view>
 
 using namespace fff;
 using namespace fff::test;
@@ -67,7 +67,8 @@ private:
 
 namespace {
 
-constexpr int kPatience = 10; // looks at what is still moved about
+constexpr int kLowScreen = 600; // px that every dialog works in
+constexpr int kPatience = 10;   // looks at what is still moved about
 
 /// A body across which a plate stands, with a hole and engraved words, and what loads there are.
 Document furnishedCross()
@@ -305,7 +306,7 @@ void TestNothingIsCut::dialogs()
         dialog.showPage(page);
         dialog.show();
         look(QStringLiteral("settings %1").arg(static_cast<int>(page)), dialog);
-        QVERIFY(dialog.height() <= 600);
+        QVERIFY(dialog.height() <= kLowScreen);
     }
     for (const auto &[command, name] : {std::pair("fabricate.stocks", "stockEditor"),
                                         std::pair("help.firstSteps", "helpWindow")}) {
@@ -313,7 +314,9 @@ void TestNothingIsCut::dialogs()
         auto *dialog = m_window->findChild<QDialog *>(QLatin1String(name));
         QVERIFY2(dialog && dialog->isVisible(), name);
         look(QLatin1String(name), *dialog);
-        QVERIFY2(dialog->minimumSizeHint().height() <= 600, name);
+        QVERIFY2(dialog->minimumSizeHint().height() <= kLowScreen, name);
+        QVERIFY2(dialog->height() <= kLowScreen || command != std::string_view("fabricate.stocks"),
+                 "Stocks open higher than they need");
         dialog->close();
     }
     actionOf(*m_window, "edit.find")->trigger();
@@ -323,7 +326,7 @@ void TestNothingIsCut::dialogs()
     actionOf(*m_window, "help.about")->trigger();
     inExportPanel(*m_window, [this](QDialog *dialog) {
         look(QStringLiteral("export"), *dialog);
-        QVERIFY(dialog->minimumSizeHint().height() <= 600);
+        QVERIFY(dialog->minimumSizeHint().height() <= kLowScreen);
     });
     tell();
 }

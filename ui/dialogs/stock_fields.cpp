@@ -59,6 +59,11 @@ StockFields::StockFields(Workbench &bench, QWidget *parent) : QWidget(parent), m
     makeCutting();
     makeSlits();
     column->addStretch(1);
+    std::vector<PropertyRow *> rows; // fields of all groups begin at one line
+    for (QWidget *widget : findChildren<QWidget *>())
+        if (auto *row = dynamic_cast<PropertyRow *>(widget))
+            rows.push_back(row);
+    PropertyRow::alignLabels(rows);
 
     connect(m_name, &QLineEdit::editingFinished, this, &StockFields::rename);
     connect(&bench.session(), &Session::modelChanged, this,
