@@ -65,10 +65,6 @@
         <source>Nothing is cut from this model, so there are no steps.</source>
         <translation>Aus diesem Modell wird nichts geschnitten, also gibt es keine Schritte.</translation>
     </message>
-    <message>
-        <source>No steps to show: the order of assembly was not found in the time.</source>
-        <translation>Keine Schritte zu zeigen: die Reihenfolge des Zusammenbaus wurde in der Zeit nicht gefunden.</translation>
-    </message>
     <message numerus="yes">
         <source>No steps to show: the model cannot be assembled, since %n sections block each other.</source>
         <translation>
@@ -89,31 +85,9 @@
         <translation>Schritt %1 von %2</translation>
     </message>
     <message>
-        <source>begin with %1</source>
-        <translation>mit %1 beginnen</translation>
-    </message>
-    <message>
-        <source>begin aside with %1</source>
-        <translation>daneben mit %1 beginnen</translation>
-    </message>
-    <message>
-        <source>put %1 in its place</source>
-        <translation>%1 an seinen Platz legen</translation>
-    </message>
-    <message>
-        <source>bring %1 in round the corner, at last %2</source>
-        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;</extracomment>
-        <translation>%1 um die Ecke hineinbringen, zuletzt %2</translation>
-    </message>
-    <message>
         <source>bring %1 in round the corner, then slide it %2 into %3</source>
         <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;, %3 what it is put into</extracomment>
         <translation>%1 um die Ecke hineinbringen, dann %2 in %3 schieben</translation>
-    </message>
-    <message>
-        <source>move %1 %2 to its place</source>
-        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;</extracomment>
-        <translation>%1 %2 an seinen Platz bringen</translation>
     </message>
     <message>
         <source>slide %1 %2 into %3</source>
@@ -130,6 +104,32 @@
         <extracomment>%1 is a sentence such as &quot;the solid of &quot;Rib&quot; could not be worked out&quot;</extracomment>
         <translation>Keine Schritte: %1.</translation>
     </message>
+    <message>
+        <source>No steps to show: the order of assembly was not found in time.</source>
+        <translation>Keine Schritte zu zeigen: die Reihenfolge des Zusammenbaus wurde in der Zeit nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>start with %1</source>
+        <translation>mit %1 beginnen</translation>
+    </message>
+    <message>
+        <source>start a group of its own with %1</source>
+        <translation>daneben mit %1 beginnen</translation>
+    </message>
+    <message>
+        <source>put %1 in place</source>
+        <translation>%1 an seinen Platz legen</translation>
+    </message>
+    <message>
+        <source>bring %1 in round the corner, finally %2</source>
+        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;</extracomment>
+        <translation>%1 um die Ecke hineinbringen, zuletzt %2</translation>
+    </message>
+    <message>
+        <source>move %1 %2 into place</source>
+        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;</extracomment>
+        <translation>%1 %2 an seinen Platz bringen</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -139,10 +139,6 @@
             <numerusform>%n Scheibe</numerusform>
             <numerusform>%n Scheiben</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Connected. There is only one section.</source>
-        <translation>Zusammenhängend. Es gibt nur eine Scheibe.</translation>
     </message>
     <message>
         <source>Connected. All %1 sections, by %2.</source>
@@ -176,28 +172,12 @@
         <translation>%1 treffen %2, aber keine Verbindung hält sie zusammen.</translation>
     </message>
     <message>
-        <source>%1 touches nothing. It is %2 away from %3.</source>
-        <translation>%1 berührt nichts. Von %3 ist es %2 entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 touch nothing else. They are %2 away from %3.</source>
-        <translation>%1 berühren sonst nichts. Von %3 sind sie %2 entfernt.</translation>
-    </message>
-    <message>
         <source>Falls over forwards. The centre of mass lies %1 in front of the feet.</source>
         <translation>Fällt nach vorn um. Der Schwerpunkt liegt %1 vor den Füßen.</translation>
     </message>
     <message>
         <source>Falls over backwards. The centre of mass lies %1 behind the feet.</source>
         <translation>Fällt nach hinten um. Der Schwerpunkt liegt %1 hinter den Füßen.</translation>
-    </message>
-    <message>
-        <source>Falls over to the left. The centre of mass lies %1 beside the feet.</source>
-        <translation>Fällt nach links um. Der Schwerpunkt liegt %1 neben den Füßen.</translation>
-    </message>
-    <message>
-        <source>Falls over to the right. The centre of mass lies %1 beside the feet.</source>
-        <translation>Fällt nach rechts um. Der Schwerpunkt liegt %1 neben den Füßen.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -215,10 +195,6 @@
     <message>
         <source>Stands. Tips only past %1. Margin %2.</source>
         <translation>Steht. Kippt erst über %1. Reserve %2.</translation>
-    </message>
-    <message>
-        <source>Stands, but not firmly: it tips past %1. The centre of mass is only %2 inside the feet.</source>
-        <translation>Steht, aber nicht fest: Über %1 kippt es. Der Schwerpunkt liegt nur %2 innerhalb der Füße.</translation>
     </message>
     <message>
         <source>Falls over. Its feet are all on one line, so nothing holds it upright.</source>
@@ -254,10 +230,6 @@
     <message>
         <source>Fits the sheet. %1 of %2, %3 % used.</source>
         <translation>Passt auf die Platte. %1 von %2, %3 % genutzt.</translation>
-    </message>
-    <message>
-        <source>%1 meets %2 at %3; slits get wide below %4.</source>
-        <translation>%1 trifft %2 mit %3; unter %4 werden Schlitze breit.</translation>
     </message>
     <message numerus="yes">
         <source>%n parts</source>
@@ -307,14 +279,6 @@
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Cut into each other</source>
-        <translation>Durchdringen sich</translation>
-    </message>
-    <message>
-        <source>Shallow angle</source>
-        <translation>Flacher Winkel</translation>
-    </message>
-    <message>
         <source>Divided by slits</source>
         <translation>Von Schlitzen zerteilt</translation>
     </message>
@@ -329,18 +293,6 @@
     <message>
         <source>less than %1</source>
         <translation>weniger als %1</translation>
-    </message>
-    <message>
-        <source>%1 and %2 cut into each other, %3, but are not joined.</source>
-        <translation>%1 und %2 durchdringen sich um %3, sind aber nicht verbunden.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 cut into each other, %3, outside of their slits.</source>
-        <translation>%1 und %2 durchdringen sich um %3, außerhalb ihrer Schlitze.</translation>
-    </message>
-    <message>
-        <source>Can be assembled. There is only one part.</source>
-        <translation>Lässt sich zusammenbauen. Es ist nur ein Teil.</translation>
     </message>
     <message numerus="yes">
         <source>Can be assembled. %n steps.</source>
@@ -358,14 +310,6 @@
         <translation>Scheiben sperren einander. %1 treffen sich in %2, die in %3 verschiedene Richtungen gleiten.</translation>
     </message>
     <message>
-        <source>Sections block each other. %1 comes only %2 out of its slit in %3, then it runs into it.</source>
-        <translation>Scheiben sperren einander. %1 kommt nur %2 weit aus dem Schlitz in %3 heraus, dann stößt es daran an.</translation>
-    </message>
-    <message>
-        <source>Sections block each other. Of %1 none comes off the others on a straight way.</source>
-        <translation>Scheiben sperren einander. Von %1 kommt nichts auf geradem Weg von den anderen los.</translation>
-    </message>
-    <message>
         <source>Can be assembled</source>
         <translation>Baubar</translation>
     </message>
@@ -378,32 +322,12 @@
         <translation>Reihenfolge offen</translation>
     </message>
     <message>
-        <source>%1 meets %2 at %3; below %4 no slit can hold it.</source>
-        <translation>%1 trifft %2 unter %3; unter %4 hält kein Schlitz.</translation>
-    </message>
-    <message>
         <source>%1: its slits for %2 run into each other.</source>
         <translation>%1: die Schlitze für %2 laufen ineinander.</translation>
     </message>
     <message>
-        <source>%1: only %2 stay between its slits for %3.</source>
-        <translation>%1: zwischen den Schlitzen für %3 bleiben nur %2.</translation>
-    </message>
-    <message>
-        <source>%1: only %2 stay between its slit for %3 and a hole.</source>
-        <translation>%1: zwischen dem Schlitz für %3 und einem Loch bleiben nur %2.</translation>
-    </message>
-    <message>
-        <source>%1: only %2 stay between its slit for %3 and its edge.</source>
-        <translation>%1: zwischen dem Schlitz für %3 und dem Rand bleiben nur %2.</translation>
-    </message>
-    <message>
         <source>Slits run into each other</source>
         <translation>Schlitze laufen ineinander</translation>
-    </message>
-    <message>
-        <source>Thin web</source>
-        <translation>Dünner Steg</translation>
     </message>
     <message>
         <source>Slit %1 is narrower than the %2 tool. Give the stock&apos;s slits more clearance, or choose a thinner tool.</source>
@@ -414,21 +338,6 @@
         <translation>Schlitz schmaler als das Werkzeug</translation>
     </message>
     <message>
-        <source>Their joint is set to have none.</source>
-        <translation>Ihre Verbindung ist so eingestellt, dass sie keinen hat.</translation>
-    </message>
-    <message>
-        <source>%1 form a ring of joints that slide in different directions.</source>
-        <translation>%1 bilden einen Ring aus Verbindungen, die in verschiedene Richtungen gleiten.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rings of sections have joints that slide in different directions.</source>
-        <translation>
-            <numerusform>%n Ring aus Scheiben hat Verbindungen, die in verschiedene Richtungen gleiten.</numerusform>
-            <numerusform>%n Ringe aus Scheiben haben Verbindungen, die in verschiedene Richtungen gleiten.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Rings of joints</source>
         <translation>Ringe aus Verbindungen</translation>
     </message>
@@ -437,16 +346,8 @@
         <translation>Kein Schlitz lässt sie zusammengleiten: Das negative Spiel lässt ihm keine Breite. Ein größeres Spiel hilft.</translation>
     </message>
     <message>
-        <source>No slits let them slide together: where they meet here they could only slide one way, there only the other way. Shorten one of them.</source>
-        <translation>Keine Schlitze lassen sie zusammengleiten: An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere. Eine von beiden zu kürzen hilft.</translation>
-    </message>
-    <message>
         <source>No slit lets them slide together: neither of them reaches the edge. Open a hole to the outside, or let one of them pass through.</source>
         <translation>Kein Schlitz lässt sie zusammengleiten: Keine von beiden erreicht den Rand. Ein Loch nach außen öffnen, oder eine hindurchgehen lassen.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 cut into each other, %3 long. %4</source>
-        <translation>%1 und %2 schneiden sich auf %3 Länge. %4</translation>
     </message>
     <message>
         <source>Nothing would hold them: holes are where slits would begin. Make the holes smaller, or let one of them end inside the other.</source>
@@ -484,7 +385,7 @@
     </message>
     <message>
         <source>Slit %1 is closed by the kerf of %2. Give the stock&apos;s slits more clearance, or less kerf.</source>
-        <translation>Schlitz %1 wird von der Schnittfuge von %2 geschlossen. Geben Sie den Schlitzen des Materials mehr Spiel oder eine schmalere Schnittfuge.</translation>
+        <translation>Schlitz %1 wird von der Schnittfuge von %2 geschlossen. Den Schlitzen des Materials mehr Spiel geben oder eine schmalere Schnittfuge.</translation>
     </message>
     <message>
         <source>Not worked out</source>
@@ -550,17 +451,6 @@
         <translation>Baubar machen</translation>
     </message>
     <message>
-        <source>The slits of one joint were turned round.</source>
-        <translation>Die Schlitze einer Verbindung wurden umgedreht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The slits of %n joints were turned round.</source>
-        <translation>
-            <numerusform>Die Schlitze von %n Verbindung wurden umgedreht.</numerusform>
-            <numerusform>Die Schlitze von %n Verbindungen wurden umgedreht.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Choose a sheet</source>
         <translation>Andere Platte wählen</translation>
     </message>
@@ -587,11 +477,7 @@
     </message>
     <message>
         <source>Draw a section that crosses both, or move one of them to the other.</source>
-        <translation>Zeichnen Sie eine Scheibe quer durch beide, oder rücken Sie die eine an die andere.</translation>
-    </message>
-    <message>
-        <source>Turn one of them further to the other.</source>
-        <translation>Drehen Sie die eine steiler zur anderen.</translation>
+        <translation>Eine Scheibe quer durch beide zeichnen oder die eine an die andere rücken.</translation>
     </message>
     <message>
         <source>%1 does not hold %2: its slit runs along its edge and has material on one side only.</source>
@@ -618,26 +504,12 @@
         <translation>Schlitz hält nichts</translation>
     </message>
     <message>
-        <source>Slits cut %1 into %2 parts; one of them, %3, is held by nothing.</source>
-        <extracomment>%1 is the name of a section, %2 a number from 2 on, %3 a size</extracomment>
-        <translation>Schlitze zerschneiden %1 in %2 Teile; eines davon, %3, wird von nichts gehalten.</translation>
-    </message>
-    <message>
-        <source>Slits cut %1 into %2 parts; %3 are held by nothing, the largest of them %4.</source>
-        <extracomment>%1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size</extracomment>
-        <translation>Schlitze zerschneiden %1 in %2 Teile; %3 werden von nichts gehalten, das größte davon %4.</translation>
-    </message>
-    <message>
-        <source>Turn slits round</source>
-        <translation>Schlitze umdrehen</translation>
-    </message>
-    <message>
         <source>Loose parts</source>
         <translation>Lose Teile</translation>
     </message>
     <message>
         <source>Let one of the sections that cross there end before the others, or move it aside.</source>
-        <translation>Lassen Sie eine der Scheiben, die sich dort kreuzen, vor den anderen enden, oder rücken Sie sie beiseite.</translation>
+        <translation>Eine der Scheiben, die sich dort kreuzen, vor den anderen enden lassen oder beiseite rücken.</translation>
     </message>
     <message>
         <source>Move %1 in from the edge</source>
@@ -650,52 +522,12 @@
         <translation>%1 wegrücken</translation>
     </message>
     <message>
-        <source>Cut the slit less deep</source>
-        <translation>Schlitz weniger tief schneiden</translation>
-    </message>
-    <message>
         <source>Slits are %1 narrower than what goes into them. That is too tight for any material.</source>
         <translation>Schlitze sind %1 schmaler als das, was hineinkommt. Das ist für jedes Material zu eng.</translation>
     </message>
     <message>
         <source>Slits too tight</source>
         <translation>Schlitze zu eng</translation>
-    </message>
-    <message>
-        <source>Could be assembled, if two sections did not take up the same place.</source>
-        <translation>Ließe sich zusammenbauen, wenn nicht zwei Scheiben am selben Ort wären.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Could be assembled, if %n pairs of sections did not take up the same place.</source>
-        <translation>
-            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paar Scheiben am selben Ort wäre.</numerusform>
-            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paare von Scheiben am selben Ort wären.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>In each other</source>
-        <translation>Ineinander</translation>
-    </message>
-    <message>
-        <source>Shorten one of them, or turn it so that it slides the way of the others.</source>
-        <translation>Kürzen Sie eine davon, oder drehen Sie sie so, dass sie in derselben Richtung gleitet wie die anderen.</translation>
-    </message>
-    <message>
-        <source>Give it another foot, or move weight over those it has.</source>
-        <translation>Geben Sie dem Modell noch einen Fuß, oder rücken Sie Gewicht über die vorhandenen.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 only touch, by less than %3.</source>
-        <extracomment>%1 and %2 are names of sections, %3 is a length</extracomment>
-        <translation>%1 und %2 berühren sich nur, um weniger als %3.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pairs of sections only touch, by less than %1.</source>
-        <extracomment>%1 is a length</extracomment>
-        <translation>
-            <numerusform>%n Paar Scheiben berührt sich nur, um weniger als %1.</numerusform>
-            <numerusform>%n Paare von Scheiben berühren sich nur, um weniger als %1.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Only touch</source>
@@ -722,17 +554,6 @@
         <source>The slits of %1 divide it into %2, which other sections hold together.</source>
         <translation>Die Schlitze von %1 teilen die Scheibe in %2, die von anderen Scheiben gehalten werden.</translation>
     </message>
-    <message>
-        <source>One joint turned round</source>
-        <translation>Eine Verbindung umgedreht</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n joints turned round</source>
-        <translation>
-            <numerusform>%n Verbindung umgedreht</numerusform>
-            <numerusform>%n Verbindungen umgedreht</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n sections moved</source>
         <translation>
@@ -746,20 +567,16 @@
     </message>
     <message>
         <source>Move the slit in from the edge, or let one of them end before the other.</source>
-        <translation>Rücken Sie den Schlitz vom Rand weg, oder lassen Sie eine Scheibe vor der anderen enden.</translation>
+        <translation>Den Schlitz vom Rand weg rücken oder eine Scheibe vor der anderen enden lassen.</translation>
     </message>
     <message>
         <source>Make the section wider there, or move the slit.</source>
-        <translation>Machen Sie die Scheibe dort breiter, oder versetzen Sie den Schlitz.</translation>
+        <translation>Die Scheibe dort breiter machen oder den Schlitz versetzen.</translation>
     </message>
     <message>
         <source>%1 does not hold %2: its slit leaves no material on either side.</source>
         <extracomment>%1 and %2 are names of sections</extracomment>
         <translation>%1 hält %2 nicht: Der Schlitz lässt auf keiner Seite Material stehen.</translation>
-    </message>
-    <message>
-        <source>Slits are %1 wider than what goes into them, which is loose in them then.</source>
-        <translation>Schlitze sind %1 breiter als das, was hineinkommt; es sitzt dann locker.</translation>
     </message>
     <message>
         <source>Slits too wide</source>
@@ -774,18 +591,6 @@
         <source>%1 moved by %2</source>
         <extracomment>%1 is the name of a section, %2 a length</extracomment>
         <translation>%1 um %2 verschoben</translation>
-    </message>
-    <message>
-        <source>%1 given another outline</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 mit anderem Umriss</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections given another outline</source>
-        <translation>
-            <numerusform>%n Scheibe mit anderem Umriss</numerusform>
-            <numerusform>%n Scheiben mit anderem Umriss</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 added</source>
@@ -810,10 +615,6 @@
             <numerusform>%n Scheibe gelöscht</numerusform>
             <numerusform>%n Scheiben gelöscht</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>one problem solved</source>
-        <translation>ein Problem gelöst</translation>
     </message>
     <message numerus="yes">
         <source>%n problems solved</source>
@@ -882,32 +683,6 @@
         <translation>%1 kann %2 ab %3 reißen.</translation>
     </message>
     <message>
-        <source>From %1 on a joint is pulled open.</source>
-        <translation>Ab %1 wird eine Verbindung aufgezogen.</translation>
-    </message>
-    <message>
-        <source>From %1 on it does not stand.</source>
-        <translation>Ab %1 steht es nicht mehr.</translation>
-    </message>
-    <message>
-        <source>It would bear far more.</source>
-        <translation>Es trüge weit mehr.</translation>
-    </message>
-    <message>
-        <source>Nothing strains it.</source>
-        <translation>Nichts beansprucht es.</translation>
-    </message>
-    <message>
-        <source>Weakest is %1, %2: %3 % of what it bears.</source>
-        <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a number of percent</extracomment>
-        <translation>Am schwächsten ist %1, %2: %3 % dessen, was es trägt.</translation>
-    </message>
-    <message>
-        <source>The neck of %1 is strained to %2 % of what it bears.</source>
-        <extracomment>%1 is a section, %2 a number of percent</extracomment>
-        <translation>Die engste Stelle von %1 ist zu %2 % dessen beansprucht, was sie trägt.</translation>
-    </message>
-    <message>
         <source>That leaves less than the safety factor of %1.</source>
         <extracomment>%1 is a number such as 2</extracomment>
         <translation>Das ist weniger Reserve als der Sicherheitsfaktor %1.</translation>
@@ -918,7 +693,7 @@
     </message>
     <message>
         <source>Strength unknown. The forces between the sections could not be worked out.</source>
-        <translation>Festigkeit unbekannt. Die Kräfte zwischen den Teilen konnten nicht ermittelt werden.</translation>
+        <translation>Festigkeit unbekannt. Die Kräfte zwischen den Scheiben konnten nicht ermittelt werden.</translation>
     </message>
     <message>
         <source>Strength unknown. The stress in %1 could not be worked out.</source>
@@ -929,10 +704,6 @@
         <translation>Rutscht weg. Seine Füße halten nicht gegen das, was schiebt.</translation>
     </message>
     <message>
-        <source>Comes loose. Nothing keeps %1 where it is.</source>
-        <translation>Löst sich. Nichts hält %1 an seinem Platz.</translation>
-    </message>
-    <message>
         <source>Pulled open. The joint of %1 and %2 is pulled apart with %3 N.</source>
         <extracomment>%3 is a number of newtons</extracomment>
         <translation>Aufgezogen. Die Verbindung von %1 und %2 wird mit %3 N auseinandergezogen.</translation>
@@ -940,18 +711,6 @@
     <message>
         <source>Pulled at. The joint of %1 and %2 is pulled with %3 N; the others hold without it.</source>
         <translation>Auf Zug. An der Verbindung von %1 und %2 ziehen %3 N; die anderen halten ohne sie.</translation>
-    </message>
-    <message>
-        <source>Off the material. A weight on %1 hangs over no material; the nearest part of it bears it.</source>
-        <translation>Neben dem Material. Ein Gewicht auf %1 hängt über keinem Material; das nächste Stück trägt es.</translation>
-    </message>
-    <message>
-        <source>Turn its slits round</source>
-        <translation>Ihre Schlitze umdrehen</translation>
-    </message>
-    <message>
-        <source>Use thicker stock, make it wider there, or hang less on it.</source>
-        <translation>Nimm dickeres Material, mach es dort breiter oder häng weniger daran.</translation>
     </message>
     <message>
         <source>Strength unknown</source>
@@ -989,21 +748,8 @@
         <translation>an der engsten Stelle</translation>
     </message>
     <message>
-        <source>How much it would bear could not be worked out.</source>
-        <translation>Wie viel es trüge, konnte nicht ermittelt werden.</translation>
-    </message>
-    <message>
         <source>Use thicker stock</source>
         <translation>Dickeres Material nehmen</translation>
-    </message>
-    <message>
-        <source>%1 then %2 thick</source>
-        <extracomment>%1 is the name of a stock, %2 a length</extracomment>
-        <translation>%1 dann %2 dick</translation>
-    </message>
-    <message>
-        <source>One joint&apos;s slits meet elsewhere</source>
-        <translation>Die Schlitze einer Verbindung treffen sich anderswo</translation>
     </message>
     <message numerus="yes">
         <source>The slits of %n joints meet elsewhere</source>
@@ -1026,10 +772,6 @@
         <translation>%1-mal so viel</translation>
     </message>
     <message>
-        <source>what acts on it</source>
-        <translation>was darauf wirkt</translation>
-    </message>
-    <message>
         <source>Pushed over. Without its pushes it would stand.</source>
         <translation>Umgestoßen. Ohne den Druck stünde es.</translation>
     </message>
@@ -1040,27 +782,6 @@
     <message>
         <source>Give it a broader base or more weight, or push less, or lower down.</source>
         <translation>Ihm mehr Standfläche oder Gewicht geben, oder weniger oder tiefer unten drücken.</translation>
-    </message>
-    <message>
-        <source>Bears %1 here, then %2 cracks %3.</source>
-        <translation>Trägt hier %1, dann reißt %2 %3.</translation>
-    </message>
-    <message>
-        <source>Bears %1 here, then it falls over.</source>
-        <translation>Trägt hier %1, dann kippt es um.</translation>
-    </message>
-    <message>
-        <source>Bears %1 here, then a joint is pulled open.</source>
-        <translation>Trägt hier %1, dann wird eine Verbindung auseinandergezogen.</translation>
-    </message>
-    <message>
-        <source>Bears more than %1 here.</source>
-        <extracomment>%1 is a mass</extracomment>
-        <translation>Trägt hier mehr als %1.</translation>
-    </message>
-    <message>
-        <source>What it bears here could not be worked out.</source>
-        <translation>Was es hier trägt, ließ sich nicht ermitteln.</translation>
     </message>
     <message>
         <source>Give it a second foot</source>
@@ -1081,21 +802,6 @@
         <translation>dann: %1</translation>
     </message>
     <message>
-        <source>Bears %1 more here, then %2 cracks %3.</source>
-        <extracomment>%1 is a mass, %2 a section, %3 a place such as &quot;beside its slit for Body&quot;</extracomment>
-        <translation>Trägt hier noch %1, dann reißt %2 %3.</translation>
-    </message>
-    <message>
-        <source>Bears %1 more here, then it falls over.</source>
-        <extracomment>%1 is a mass</extracomment>
-        <translation>Trägt hier noch %1, dann kippt es um.</translation>
-    </message>
-    <message>
-        <source>Bears %1 more here, then a joint is pulled open.</source>
-        <extracomment>%1 is a mass</extracomment>
-        <translation>Trägt hier noch %1, dann wird eine Verbindung auseinandergezogen.</translation>
-    </message>
-    <message>
         <source>Not connected yet</source>
         <translation>Noch nicht verbunden</translation>
     </message>
@@ -1112,10 +818,6 @@
         <translation>Noch nicht am Boden</translation>
     </message>
     <message>
-        <source>Falls apart. %1 hangs together by less than can be cut.</source>
-        <translation>Zerfällt. %1 hängt an weniger zusammen, als sich schneiden lässt.</translation>
-    </message>
-    <message>
         <source>Too little material. %1 is only %2 wide at one place.</source>
         <translation>Zu wenig Material. %1 ist an einer Stelle nur %2 breit.</translation>
     </message>
@@ -1124,16 +826,310 @@
         <translation>Zerfällt</translation>
     </message>
     <message>
-        <source>Make it wider there, or move what it touches apart.</source>
-        <translation>Dort breiter machen, oder auseinanderrücken, was sich berührt.</translation>
-    </message>
-    <message>
         <source>Too little material</source>
         <translation>Zu wenig Material</translation>
     </message>
     <message>
         <source>Make it wider there.</source>
         <translation>Dort breiter machen.</translation>
+    </message>
+    <message>
+        <source>Holds %1 more here before %2 cracks %3.</source>
+        <extracomment>%1 is a mass, %2 a section, %3 a place such as &quot;beside its slit for Body&quot;</extracomment>
+        <translation>Trägt hier noch %1, dann reißt %2 %3.</translation>
+    </message>
+    <message>
+        <source>Holds %1 here before %2 cracks %3.</source>
+        <translation>Trägt hier %1, dann reißt %2 %3.</translation>
+    </message>
+    <message>
+        <source>Holds %1 more here before it falls over.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier noch %1, dann kippt es um.</translation>
+    </message>
+    <message>
+        <source>Holds %1 here before it falls over.</source>
+        <translation>Trägt hier %1, dann kippt es um.</translation>
+    </message>
+    <message>
+        <source>Holds %1 more here before a joint is pulled open.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier noch %1, dann wird eine Verbindung auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>Holds %1 here before a joint is pulled open.</source>
+        <translation>Trägt hier %1, dann wird eine Verbindung auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>Holds more than %1 here.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier mehr als %1.</translation>
+    </message>
+    <message>
+        <source>How much it holds here could not be worked out.</source>
+        <translation>Was es hier trägt, ließ sich nicht ermitteln.</translation>
+    </message>
+    <message>
+        <source>Connected. Only one section so far.</source>
+        <translation>Zusammenhängend. Bisher nur eine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Nothing touches %1. It is %2 away from %3.</source>
+        <translation>Nichts berührt %1. Von %3 ist es %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>Nothing else touches %1. They are %2 away from %3.</source>
+        <translation>Sonst berührt nichts %1. Von %3 sind sie %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>Their joint is set to “None”.</source>
+        <translation>Ihre Verbindung ist auf „Keine“ gestellt.</translation>
+    </message>
+    <message>
+        <source>No slits let them slide together: in one place they could only slide one way, in another only the other way. Shorten one of them.</source>
+        <translation>Keine Schlitze lassen sie zusammengleiten: An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere. Eine von beiden zu kürzen hilft.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap, %3 long. %4</source>
+        <translation>%1 und %2 schneiden sich auf %3 Länge. %4</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap by %3, outside their slits.</source>
+        <translation>%1 und %2 durchdringen sich um %3, außerhalb ihrer Schlitze.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap by %3, but are not joined.</source>
+        <translation>%1 und %2 durchdringen sich um %3, sind aber nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 almost lie in one plane: they meet at %3, and below %4 no slit can hold them.</source>
+        <translation>%1 und %2 liegen fast in einer Ebene: Sie treffen sich unter %3, und unter %4 kann kein Schlitz sie halten.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 meet at %3; slits get wide below %4.</source>
+        <translation>%1 und %2 treffen sich unter %3; unter %4 werden Schlitze breit.</translation>
+    </message>
+    <message>
+        <source>Sections overlap</source>
+        <translation>Scheiben überschneiden sich</translation>
+    </message>
+    <message>
+        <source>Angle too flat</source>
+        <translation>Winkel zu flach</translation>
+    </message>
+    <message>
+        <source>Turn one of them to a steeper angle.</source>
+        <translation>Eine von beiden steiler zur anderen drehen.</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 into %2 parts; nothing holds one of them, %3.</source>
+        <extracomment>%1 is the name of a section, %2 a number from 2 on, %3 a size</extracomment>
+        <translation>Schlitze zerschneiden %1 in %2 Teile; eines davon, %3, wird von nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 into %2 parts; nothing holds %3 of them, the largest being %4.</source>
+        <extracomment>%1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size</extracomment>
+        <translation>Schlitze zerschneiden %1 in %2 Teile; %3 werden von nichts gehalten, das größte davon %4.</translation>
+    </message>
+    <message>
+        <source>Flip slits</source>
+        <translation>Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Make the slit shallower</source>
+        <translation>Schlitz weniger tief schneiden</translation>
+    </message>
+    <message>
+        <source>Slits are %1 wider than what goes into them, so it sits loosely.</source>
+        <translation>Schlitze sind %1 breiter als das, was hineinkommt; es sitzt dann locker.</translation>
+    </message>
+    <message>
+        <source>Can be assembled. Only one part so far.</source>
+        <translation>Lässt sich zusammenbauen. Bisher nur ein Teil.</translation>
+    </message>
+    <message>
+        <source>Could be assembled if two sections did not overlap.</source>
+        <translation>Ließe sich zusammenbauen, wenn nicht zwei Scheiben am selben Ort wären.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Could be assembled if %n pairs of sections did not overlap.</source>
+        <translation>
+            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paar Scheiben am selben Ort wäre.</numerusform>
+            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paare von Scheiben am selben Ort wären.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sections block each other. %1 comes only %2 out of its slit before it hits %3.</source>
+        <translation>Scheiben sperren einander. %1 kommt nur %2 weit aus dem Schlitz, bis es an %3 stößt.</translation>
+    </message>
+    <message>
+        <source>Sections block each other. None of %1 can be removed in a straight line.</source>
+        <translation>Scheiben sperren einander. Keine von %1 lässt sich geradlinig herausziehen.</translation>
+    </message>
+    <message>
+        <source>1 joint flipped.</source>
+        <translation>1 Verbindung umgedreht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints flipped.</source>
+        <translation>
+            <numerusform>%n Verbindung umgedreht.</numerusform>
+            <numerusform>%n Verbindungen umgedreht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Shorten one of them, or turn it so that it slides in the same direction as the others.</source>
+        <translation>Eine davon kürzen oder so drehen, dass sie in derselben Richtung gleitet wie die anderen.</translation>
+    </message>
+    <message>
+        <source>%1 form a ring: each of these has to go in before the others.</source>
+        <translation>%1 bilden einen Ring: Jede davon müsste vor den anderen hinein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
+        <translation>
+            <numerusform>%n Ring aus Scheiben, in dem jede vor den anderen hinein müsste.</numerusform>
+            <numerusform>%n Ringe aus Scheiben, in denen jede vor den anderen hinein müsste.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Raise it to the ground</source>
+        <translation>Auf den Boden anheben</translation>
+    </message>
+    <message>
+        <source>Barely stands: the slightest push tips it over. Tips past %1, margin %2.</source>
+        <translation>Steht kaum: Der kleinste Stoß wirft es um. Kippt über %1, Abstand %2.</translation>
+    </message>
+    <message>
+        <source>Falls over to the left. The centre of mass lies %1 outside its feet.</source>
+        <translation>Fällt nach links um. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
+    </message>
+    <message>
+        <source>Falls over to the right. The centre of mass lies %1 outside its feet.</source>
+        <translation>Fällt nach rechts um. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
+    </message>
+    <message>
+        <source>Give it another foot, or move weight over its feet.</source>
+        <translation>Dem Modell noch einen Fuß geben oder Gewicht über die vorhandenen rücken.</translation>
+    </message>
+    <message>
+        <source>its load</source>
+        <translation>was darauf wirkt</translation>
+    </message>
+    <message>
+        <source>With %1 a joint is pulled open.</source>
+        <translation>Ab %1 wird eine Verbindung aufgezogen.</translation>
+    </message>
+    <message>
+        <source>With %1 it no longer stands.</source>
+        <translation>Ab %1 steht es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>It would hold far more.</source>
+        <translation>Es trüge weit mehr.</translation>
+    </message>
+    <message>
+        <source>How much it would hold could not be worked out.</source>
+        <translation>Wie viel es trüge, konnte nicht ermittelt werden.</translation>
+    </message>
+    <message>
+        <source>Nothing puts a strain on it.</source>
+        <translation>Nichts beansprucht es.</translation>
+    </message>
+    <message>
+        <source>Weakest is %1, %2: %3 % of its strength.</source>
+        <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a number of percent</extracomment>
+        <translation>Am schwächsten ist %1, %2: %3 % seiner Festigkeit.</translation>
+    </message>
+    <message>
+        <source>The neck of %1 is strained to %2 % of its strength.</source>
+        <extracomment>%1 is a section, %2 a number of percent</extracomment>
+        <translation>Die engste Stelle von %1 ist zu %2 % ihrer Festigkeit beansprucht.</translation>
+    </message>
+    <message>
+        <source>Comes loose. Nothing keeps %1 in place.</source>
+        <translation>Löst sich. Nichts hält %1 an seinem Platz.</translation>
+    </message>
+    <message>
+        <source>Off the material. A weight on %1 misses its material; the nearest place takes it.</source>
+        <translation>Neben dem Material. Ein Gewicht auf %1 liegt über keinem Material; die nächste Stelle trägt es.</translation>
+    </message>
+    <message>
+        <source>Flip its slits</source>
+        <translation>Die Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Use thicker stock, make it wider there, or put less on it.</source>
+        <translation>Dickeres Material nehmen, es dort breiter machen oder weniger daraufstellen.</translation>
+    </message>
+    <message>
+        <source>Falls apart. %1 is held together by less than can be cut.</source>
+        <translation>Zerfällt. %1 hängt an weniger zusammen, als sich schneiden lässt.</translation>
+    </message>
+    <message>
+        <source>Make it wider there, or move apart what touches it.</source>
+        <translation>Dort breiter machen, oder auseinanderrücken, was sich berührt.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 of material is left between its slits for %3.</source>
+        <translation>%1: Zwischen den Schlitzen für %3 bleiben nur %2 Material.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 of material is left between its slit for %3 and a hole.</source>
+        <translation>%1: Zwischen dem Schlitz für %3 und einem Loch bleiben nur %2 Material.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 of material is left between its slit for %3 and its edge.</source>
+        <translation>%1: Zwischen dem Schlitz für %3 und dem Rand bleiben nur %2 Material.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 only touch: they overlap by less than %3.</source>
+        <extracomment>%1 and %2 are names of sections, %3 is a length</extracomment>
+        <translation>%1 und %2 berühren sich nur, um weniger als %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of sections only touch: they overlap by less than %1.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>
+            <numerusform>%n Paar Scheiben berührt sich nur, um weniger als %1.</numerusform>
+            <numerusform>%n Paare von Scheiben berühren sich nur, um weniger als %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 joint flipped</source>
+        <translation>1 Verbindung umgedreht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints flipped</source>
+        <translation>
+            <numerusform>%n Verbindung umgedreht</numerusform>
+            <numerusform>%n Verbindungen umgedreht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 becomes %2 thick</source>
+        <extracomment>%1 is the name of a stock, %2 a length</extracomment>
+        <translation>%1 dann %2 dick</translation>
+    </message>
+    <message>
+        <source>The slits of 1 joint meet elsewhere</source>
+        <translation>Die Schlitze einer Verbindung treffen sich anderswo</translation>
+    </message>
+    <message>
+        <source>%1 reshaped</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 mit anderem Umriss</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections reshaped</source>
+        <translation>
+            <numerusform>%n Scheibe mit anderem Umriss</numerusform>
+            <numerusform>%n Scheiben mit anderem Umriss</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 problem solved</source>
+        <translation>ein Problem gelöst</translation>
     </message>
 </context>
 <context>
@@ -1145,10 +1141,6 @@
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Open a model, also one of FlatFab</source>
-        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
     </message>
     <message>
         <source>&amp;Insert model…</source>
@@ -1169,10 +1161,6 @@
     <message>
         <source>To library</source>
         <translation>In Bibliothek</translation>
-    </message>
-    <message>
-        <source>Keep what is selected in the library, for other models</source>
-        <translation>Die Auswahl für andere Modelle in der Bibliothek aufheben</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -1267,10 +1255,6 @@
         <translation>Eigenschaften</translation>
     </message>
     <message>
-        <source>To the first field of what is selected; in the view, Enter does so</source>
-        <translation>Zum ersten Feld dessen, was gewählt ist; in der Ansicht tut das Eingabe</translation>
-    </message>
-    <message>
         <source>Hide all doc&amp;ks</source>
         <translation>Alle Fensterte&amp;ile ausblenden</translation>
     </message>
@@ -1301,10 +1285,6 @@
     <message>
         <source>Reset window</source>
         <translation>Fenster zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Put all panels back where they were at first</source>
-        <translation>Alle Leisten dorthin setzen, wo sie anfangs waren</translation>
     </message>
     <message>
         <source>&amp;Next part of the window</source>
@@ -1379,10 +1359,6 @@
         <translation>Plattenmaterial: Dicke, Festigkeit, Schnittfuge und Plattengröße</translation>
     </message>
     <message>
-        <source>&amp;Find an action…</source>
-        <translation>Befehl &amp;suchen …</translation>
-    </message>
-    <message>
         <source>Find</source>
         <translation>Suchen</translation>
     </message>
@@ -1413,14 +1389,6 @@
     <message>
         <source>What this program is, its version and its licences</source>
         <translation>Was dieses Programm ist, seine Version und seine Lizenzen</translation>
-    </message>
-    <message>
-        <source>It was never saved</source>
-        <translation>Es wurde nie gespeichert</translation>
-    </message>
-    <message>
-        <source>Nothing was changed since it was saved</source>
-        <translation>Seit dem Speichern wurde nichts geändert</translation>
     </message>
     <message>
         <source>Select one section first</source>
@@ -1647,18 +1615,6 @@
         <translation>Die Schlitze der gewählten Verbindung zur anderen Seite öffnen</translation>
     </message>
     <message>
-        <source>Reset the joint to a&amp;utomatic</source>
-        <translation>Verbindung &amp;wieder automatisch</translation>
-    </message>
-    <message>
-        <source>Reset joint</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Let the selected joint be as it is by itself: kind, direction and share</source>
-        <translation>Die gewählte Verbindung so lassen, wie sie von selbst ist: Art, Richtung und Treffpunkt</translation>
-    </message>
-    <message>
         <source>Nothing of this joint is set by hand</source>
         <translation>An dieser Verbindung ist nichts von Hand eingestellt</translation>
     </message>
@@ -1703,36 +1659,16 @@
         <translation>Messen</translation>
     </message>
     <message>
-        <source>Keep t&amp;he dimension</source>
-        <translation>Maß &amp;behalten</translation>
-    </message>
-    <message>
         <source>Keep</source>
         <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Show this length from now on</source>
-        <translation>Diese Länge von nun an zeigen</translation>
-    </message>
-    <message>
-        <source>Rem&amp;ove the dimension</source>
-        <translation>Maß ent&amp;fernen</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Show this length no more</source>
-        <translation>Diese Länge nicht mehr zeigen</translation>
-    </message>
-    <message>
         <source>Nothing is measured</source>
         <translation>Nichts ist gemessen</translation>
-    </message>
-    <message>
-        <source>No dimension is picked: click one with the tool that measures</source>
-        <translation>Kein Maß ist gewählt: eines mit dem Messwerkzeug anklicken</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -1767,20 +1703,12 @@
         <translation>Übergang</translation>
     </message>
     <message>
-        <source>Make sections between others, which turn into one another</source>
-        <translation>Scheiben zwischen anderen machen, die ineinander übergehen</translation>
-    </message>
-    <message>
         <source>Br&amp;anch</source>
         <translation>&amp;Verzweigung</translation>
     </message>
     <message>
         <source>Branch</source>
         <translation>Zweige</translation>
-    </message>
-    <message>
-        <source>Let a section grow out of itself again and again, as a tree does</source>
-        <translation>Eine Scheibe immer wieder aus sich selbst wachsen lassen, wie einen Baum</translation>
     </message>
     <message>
         <source>&amp;Grid with connectors</source>
@@ -1803,16 +1731,8 @@
         <translation>Rund</translation>
     </message>
     <message>
-        <source>Make a circle, a star or a gear of a section, or holes in it</source>
-        <translation>Eine Scheibe zu Kreis, Stern oder Zahnrad machen oder solche Löcher hineinsetzen</translation>
-    </message>
-    <message>
         <source>&amp;Mirror model</source>
         <translation>&amp;Modell spiegeln</translation>
-    </message>
-    <message>
-        <source>Let what is drawn on one side stand on the other side, too</source>
-        <translation>Was auf einer Seite gezeichnet ist, auch auf der anderen stehen lassen</translation>
     </message>
     <message>
         <source>Ro&amp;tational symmetry</source>
@@ -1821,10 +1741,6 @@
     <message>
         <source>Rotational</source>
         <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Let what is drawn once stand all round an axis</source>
-        <translation>Was einmal gezeichnet ist, rings um eine Achse stehen lassen</translation>
     </message>
     <message>
         <source>Arra&amp;y</source>
@@ -1847,10 +1763,6 @@
         <translation>Symmetrisch</translation>
     </message>
     <message>
-        <source>Copy what stands on one side to the other side, once</source>
-        <translation>Was auf einer Seite steht, einmal auf die andere kopieren</translation>
-    </message>
-    <message>
         <source>&amp;Switch off or on</source>
         <translation>&amp;Aus- oder einschalten</translation>
     </message>
@@ -1871,20 +1783,12 @@
         <translation>Früher</translation>
     </message>
     <message>
-        <source>Let the selected operation work before the one above it</source>
-        <translation>Die ausgewählte Operation vor der darüber arbeiten lassen</translation>
-    </message>
-    <message>
         <source>Lat&amp;er in the order</source>
         <translation>S&amp;päter in der Reihenfolge</translation>
     </message>
     <message>
         <source>Later</source>
         <translation>Später</translation>
-    </message>
-    <message>
-        <source>Let the selected operation work after the one below it</source>
-        <translation>Die ausgewählte Operation nach der darunter arbeiten lassen</translation>
     </message>
     <message>
         <source>Ba&amp;ke into sections</source>
@@ -1895,16 +1799,12 @@
         <translation>Umwandeln</translation>
     </message>
     <message>
-        <source>Make drawn sections of what the selected operation makes</source>
-        <translation>Aus dem, was die ausgewählte Operation macht, gezeichnete Scheiben machen</translation>
-    </message>
-    <message>
         <source>It is the first one</source>
-        <translation>Sie ist die erste</translation>
+        <translation>Schon die erste</translation>
     </message>
     <message>
         <source>It is the last one</source>
-        <translation>Sie ist die letzte</translation>
+        <translation>Schon die letzte</translation>
     </message>
     <message>
         <source>S&amp;nap</source>
@@ -1915,20 +1815,12 @@
         <translation>Rasten</translation>
     </message>
     <message>
-        <source>Draw points to others, to lines level and upright with them, and to the grid</source>
-        <translation>Zieht Punkte zu anderen, zu Linien waagerecht und senkrecht mit ihnen und zum Raster</translation>
-    </message>
-    <message>
         <source>P&amp;en</source>
         <translation>Fe&amp;der</translation>
     </message>
     <message>
         <source>Pen</source>
         <translation>Feder</translation>
-    </message>
-    <message>
-        <source>Draw with clicks in place of one stroke: set points, drag to bend</source>
-        <translation>Mit Klicks statt in einem Zug zeichnen: Punkte setzen, zum Biegen ziehen</translation>
     </message>
     <message>
         <source>No number is typed</source>
@@ -1979,16 +1871,8 @@
         <translation>Glatt</translation>
     </message>
     <message>
-        <source>Let the contour run smoothly through the selected points</source>
-        <translation>Die Kontur glatt durch die gewählten Punkte führen</translation>
-    </message>
-    <message>
         <source>S&amp;ymmetric point</source>
         <translation>S&amp;ymmetrischer Punkt</translation>
-    </message>
-    <message>
-        <source>The same with handles of equal length to both sides</source>
-        <translation>Ebenso, mit gleich langen Griffen nach beiden Seiten</translation>
     </message>
     <message>
         <source>&amp;Corner point</source>
@@ -2011,10 +1895,6 @@
         <translation>Zuerst eine Scheibe auswählen, deren Kontur sich ändern lässt</translation>
     </message>
     <message>
-        <source>What is selected has no holes</source>
-        <translation>Was ausgewählt ist, hat keine Löcher</translation>
-    </message>
-    <message>
         <source>Move &amp;and turn</source>
         <translation>Bewe&amp;gen und drehen</translation>
     </message>
@@ -2027,30 +1907,6 @@
         <translation>Mit Griffen oder Zahlen bewegen, drehen und skalieren</translation>
     </message>
     <message>
-        <source>&amp;In space</source>
-        <translation>Im Rau&amp;m</translation>
-    </message>
-    <message>
-        <source>In space</source>
-        <translation>Im Raum</translation>
-    </message>
-    <message>
-        <source>Along the axes of the world, rather than in the plane of the section</source>
-        <translation>Entlang der Achsen der Welt statt in der Ebene der Scheibe</translation>
-    </message>
-    <message>
-        <source>&amp;With what is on it</source>
-        <translation>Mit allem, was darau&amp;f ist</translation>
-    </message>
-    <message>
-        <source>With all on it</source>
-        <translation>Mit allem darauf</translation>
-    </message>
-    <message>
-        <source>What was drawn on a section goes along when that is moved</source>
-        <translation>Was auf eine Scheibe gezeichnet wurde, geht mit, wenn sie bewegt wird</translation>
-    </message>
-    <message>
         <source>&amp;Put on another section…</source>
         <translation>Auf eine andere S&amp;cheibe setzen …</translation>
     </message>
@@ -2059,20 +1915,8 @@
         <translation>Aufsetzen</translation>
     </message>
     <message>
-        <source>Click the section that the selected one shall be on</source>
-        <translation>Auf die Scheibe klicken, auf der die ausgewählte sitzen soll</translation>
-    </message>
-    <message>
-        <source>Free &amp;from its parent</source>
-        <translation>Frei &amp;von ihrer Scheibe</translation>
-    </message>
-    <message>
         <source>Free</source>
         <translation>Frei</translation>
-    </message>
-    <message>
-        <source>Let the section go any way: it neither goes along with the one that it is on, nor keeps its angle</source>
-        <translation>Die Scheibe frei bewegen: Sie geht weder mit der mit, auf der sie sitzt, noch behält sie ihren Winkel</translation>
     </message>
     <message>
         <source>Ma&amp;ke orthogonal</source>
@@ -2083,10 +1927,6 @@
         <translation>Rechtwinklig</translation>
     </message>
     <message>
-        <source>Turn the section to a right angle to the one that it is on</source>
-        <translation>Die Scheibe rechtwinklig zu der stellen, auf der sie sitzt</translation>
-    </message>
-    <message>
         <source>Align to nearest a&amp;xis</source>
         <translation>An nächster Achse ausrichten</translation>
     </message>
@@ -2095,20 +1935,12 @@
         <translation>Ausrichten</translation>
     </message>
     <message>
-        <source>Turn the section so that it faces along an axis of the world</source>
-        <translation>Die Scheibe so drehen, dass sie entlang einer Achse der Welt schaut</translation>
-    </message>
-    <message>
         <source>Lo&amp;ck</source>
         <translation>S&amp;perren</translation>
     </message>
     <message>
         <source>Lock</source>
         <translation>Sperren</translation>
-    </message>
-    <message>
-        <source>Let the selected sections stay as they are</source>
-        <translation>Die ausgewählten Scheiben so lassen, wie sie sind</translation>
     </message>
     <message>
         <source>Edit &amp;its source</source>
@@ -2131,32 +1963,12 @@
         <translation>Lösen</translation>
     </message>
     <message>
-        <source>Make a drawn section of the selected one; its operation makes the others</source>
-        <translation>Aus der ausgewählten eine gezeichnete Scheibe machen; ihre Operation macht die anderen</translation>
-    </message>
-    <message>
         <source>Lea&amp;ve this one out</source>
         <translation>Diese auslassen</translation>
     </message>
     <message>
         <source>Leave out</source>
         <translation>Auslassen</translation>
-    </message>
-    <message>
-        <source>Do not make the selected section; its operation makes the others</source>
-        <translation>Die ausgewählte Scheibe nicht machen; ihre Operation macht die anderen</translation>
-    </message>
-    <message>
-        <source>What is selected is on no other section</source>
-        <translation>Was ausgewählt ist, sitzt auf keiner anderen Scheibe</translation>
-    </message>
-    <message>
-        <source>What is selected is made by an operation</source>
-        <translation>Was ausgewählt ist, macht eine Operation</translation>
-    </message>
-    <message>
-        <source>What is selected is drawn</source>
-        <translation>Was ausgewählt ist, ist gezeichnet</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
@@ -2203,10 +2015,6 @@
         <translation>Verbundene</translation>
     </message>
     <message>
-        <source>Select all sections that hang together with the selected ones</source>
-        <translation>Alle Scheiben auswählen, die mit den ausgewählten zusammenhängen</translation>
-    </message>
-    <message>
         <source>&amp;Select parallel</source>
         <translation>&amp;Parallele auswählen</translation>
     </message>
@@ -2219,16 +2027,8 @@
         <translation>Alle Scheiben auswählen, die parallel zu den ausgewählten sind</translation>
     </message>
     <message>
-        <source>Select of the same stoc&amp;k</source>
-        <translation>All&amp;e derselben Platte auswählen</translation>
-    </message>
-    <message>
         <source>Same stock</source>
         <translation>Gleiche Platte</translation>
-    </message>
-    <message>
-        <source>Select all sections of the stocks of the selected ones</source>
-        <translation>Alle Scheiben aus den Platten der ausgewählten auswählen</translation>
     </message>
     <message>
         <source>&amp;New</source>
@@ -2251,20 +2051,12 @@
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Take the last step back</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>Redo</source>
         <translation>Wieder</translation>
-    </message>
-    <message>
-        <source>Do the step again that was taken back</source>
-        <translation>Den zurückgenommenen Schritt wiederholen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -2283,17 +2075,9 @@
         <translation>Punkt setzen</translation>
     </message>
     <message>
-        <source>There is no step to take back</source>
-        <translation>Es gibt keinen Schritt zurückzunehmen</translation>
-    </message>
-    <message>
         <source>&amp;Undo “%1”</source>
         <extracomment>%1 is a step of the history</extracomment>
         <translation>„%1“ &amp;zurücknehmen</translation>
-    </message>
-    <message>
-        <source>No step was taken back</source>
-        <translation>Kein Schritt wurde zurückgenommen</translation>
     </message>
     <message>
         <source>&amp;Redo “%1”</source>
@@ -2403,10 +2187,6 @@
     <message>
         <source>Set the model down on the ground</source>
         <translation>Das Modell auf den Boden setzen</translation>
-    </message>
-    <message>
-        <source>The model stands on the ground</source>
-        <translation>Das Modell steht auf dem Boden</translation>
     </message>
     <message>
         <source>&amp;Front</source>
@@ -2565,10 +2345,6 @@
         <translation>Nur Auswahl</translation>
     </message>
     <message>
-        <source>Let all other sections stand back</source>
-        <translation>Alle anderen Scheiben zurücktreten lassen</translation>
-    </message>
-    <message>
         <source>&amp;Hide</source>
         <translation>&amp;Ausblenden</translation>
     </message>
@@ -2625,22 +2401,6 @@
         <translation>Es gibt keine andere Scheibe</translation>
     </message>
     <message>
-        <source>Ma&amp;ke it what is offered</source>
-        <translation>An&amp;gebotenes übernehmen</translation>
-    </message>
-    <message>
-        <source>Take the offer</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>What is selected is not symmetric</source>
-        <translation>Das Gewählte ist nicht symmetrisch</translation>
-    </message>
-    <message>
-        <source>Make a circle, an ellipse, straight lines or right angles of what was just drawn nearly so, or move its slit in from the edge</source>
-        <translation>Aus dem eben ungefähr so Gezeichneten einen Kreis, eine Ellipse, gerade Linien oder rechte Winkel machen, oder seinen Schlitz vom Rand hereinrücken</translation>
-    </message>
-    <message>
         <source>Nothing is offered for what was just drawn</source>
         <translation>Für das eben Gezeichnete wird nichts angeboten</translation>
     </message>
@@ -2658,23 +2418,15 @@
     </message>
     <message>
         <source>Add &amp;weight</source>
-        <translation>&amp;Gewicht anhängen</translation>
+        <translation>&amp;Gewicht hinzufügen</translation>
     </message>
     <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
     </message>
     <message>
-        <source>Hang a weight on a section, to see what it bears</source>
-        <translation>Hängt ein Gewicht an ein Teil, um zu sehen, was es trägt</translation>
-    </message>
-    <message>
         <source>Push</source>
         <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Push or pull at a place of a section, to see what it bears</source>
-        <translation>An einer Stelle einer Scheibe drücken oder ziehen, um zu sehen, was sie trägt</translation>
     </message>
     <message>
         <source>Pull &amp;here</source>
@@ -2685,32 +2437,12 @@
         <translation>Ziehen</translation>
     </message>
     <message>
-        <source>Pull at a section with the mouse and see what it does; nothing is kept</source>
-        <translation>Mit der Maus an einer Scheibe ziehen und sehen, was geschieht; nichts bleibt</translation>
-    </message>
-    <message>
         <source>Nothing acts on the model: add a weight or a push first</source>
         <translation>Auf das Modell wirkt nichts: zuerst ein Gewicht oder einen Druck hinzufügen</translation>
     </message>
     <message>
         <source>Add p&amp;ush</source>
         <translation>&amp;Druck hinzufügen</translation>
-    </message>
-    <message>
-        <source>Where is it stron&amp;g enough?</source>
-        <translation>&amp;Wo ist es stark genug?</translation>
-    </message>
-    <message>
-        <source>Strong where</source>
-        <translation>Wo stark</translation>
-    </message>
-    <message>
-        <source>Colour a section by the mass that each place of it bears</source>
-        <translation>Eine Scheibe danach färben, welche Masse sie an jeder Stelle trägt</translation>
-    </message>
-    <message>
-        <source>Select the section first of which you want to know what it bears</source>
-        <translation>Zuerst die Scheibe auswählen, von der gezeigt werden soll, was sie trägt</translation>
     </message>
     <message>
         <source>Export a&amp;gain</source>
@@ -2735,10 +2467,6 @@
     <message>
         <source>How a model is made, step by step, with pictures</source>
         <translation>Wie ein Modell entsteht, Schritt für Schritt, mit Bildern</translation>
-    </message>
-    <message>
-        <source>It was not exported yet</source>
-        <translation>Es wurde noch nicht ausgegeben</translation>
     </message>
     <message>
         <source>Sections from SV&amp;G…</source>
@@ -2845,20 +2573,12 @@
         <translation>Beide Seiten</translation>
     </message>
     <message>
-        <source>Mirror all that is drawn on one side, also later on</source>
-        <translation>Alles spiegeln, was auf einer Seite gezeichnet ist, auch künftig</translation>
-    </message>
-    <message>
         <source>Make symmetric once</source>
         <translation>Einmal symmetrisch machen</translation>
     </message>
     <message>
         <source>Once</source>
         <translation>Einmal</translation>
-    </message>
-    <message>
-        <source>Copy what stands on one side to the other; later edits are not copied</source>
-        <translation>Was auf einer Seite steht, auf die andere kopieren; spätere Änderungen nicht</translation>
     </message>
     <message>
         <source>Mirror as shown</source>
@@ -2872,24 +2592,288 @@
         <source>Choose Mirror first</source>
         <translation>Zuerst Spiegeln wählen</translation>
     </message>
+    <message>
+        <source>Open a model, also from FlatFab</source>
+        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
+    </message>
+    <message>
+        <source>Keep the selection in the library, for other models</source>
+        <translation>Die Auswahl für andere Modelle in der Bibliothek aufheben</translation>
+    </message>
+    <message>
+        <source>Go to the first field of the selection; in the view, Enter does the same</source>
+        <translation>Zum ersten Feld dessen, was gewählt ist; in der Ansicht tut das Eingabe</translation>
+    </message>
+    <message>
+        <source>Put all panels back in their original places</source>
+        <translation>Alle Leisten dorthin setzen, wo sie anfangs waren</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;suchen …</translation>
+    </message>
+    <message>
+        <source>It has not been exported yet</source>
+        <translation>Es wurde noch nicht ausgegeben</translation>
+    </message>
+    <message>
+        <source>It has never been saved</source>
+        <translation>Es wurde nie gespeichert</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since it was saved</source>
+        <translation>Seit dem Speichern wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>Stren&amp;gth map</source>
+        <translation>Fes&amp;tigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Strength map</source>
+        <translation>Festigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Colour a section by the mass that each place of it can hold</source>
+        <translation>Eine Scheibe danach färben, welche Masse sie an jeder Stelle trägt</translation>
+    </message>
+    <message>
+        <source>Select the section to look at first</source>
+        <translation>Zuerst die Scheibe auswählen, von der gezeigt werden soll, was sie trägt</translation>
+    </message>
+    <message>
+        <source>Restore a&amp;utomatic settings</source>
+        <translation>Automatik &amp;wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restore automatic</source>
+        <translation>Wieder automatisch</translation>
+    </message>
+    <message>
+        <source>Let the program choose kind, direction and meeting points of the selected joint again</source>
+        <translation>Art, Richtung und Treffpunkte der gewählten Verbindung wieder dem Programm überlassen</translation>
+    </message>
+    <message>
+        <source>Put a weight on a section to see what it can hold</source>
+        <translation>Ein Gewicht auf eine Scheibe setzen, um zu sehen, was sie trägt</translation>
+    </message>
+    <message>
+        <source>Push or pull a section in one place to see what it can hold</source>
+        <translation>An einer Stelle einer Scheibe drücken oder ziehen, um zu sehen, was sie trägt</translation>
+    </message>
+    <message>
+        <source>Pull a section with the mouse to see what happens; nothing is kept</source>
+        <translation>Mit der Maus an einer Scheibe ziehen und sehen, was geschieht; nichts bleibt</translation>
+    </message>
+    <message>
+        <source>Keep t&amp;he length</source>
+        <translation>Länge &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Keep showing this length</source>
+        <translation>Diese Länge weiter anzeigen</translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove this dimension</source>
+        <translation>Dieses Maß ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Remove this dimension</source>
+        <translation>Dieses Maß entfernen</translation>
+    </message>
+    <message>
+        <source>No dimension is picked: click one with Measure</source>
+        <translation>Kein Maß ist gewählt: eines mit „Messen“ anklicken</translation>
+    </message>
+    <message>
+        <source>Mirror everything drawn on one side, now and later</source>
+        <translation>Alles spiegeln, was auf einer Seite gezeichnet ist, auch künftig</translation>
+    </message>
+    <message>
+        <source>Copy one side to the other; later edits are not copied</source>
+        <translation>Was auf einer Seite steht, auf die andere kopieren; spätere Änderungen nicht</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke the offered shape</source>
+        <translation>An&amp;gebotenes übernehmen</translation>
+    </message>
+    <message>
+        <source>Offered shape</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Turn what was just drawn into the offered circle, ellipse, straight lines or right angles, or move its slit in from the edge</source>
+        <translation>Aus dem eben ungefähr so Gezeichneten einen Kreis, eine Ellipse, gerade Linien oder rechte Winkel machen, oder seinen Schlitz vom Rand hereinrücken</translation>
+    </message>
+    <message>
+        <source>Interpolate between sections</source>
+        <translation>Übergänge zwischen Scheiben bilden</translation>
+    </message>
+    <message>
+        <source>Grow copies of a section out of itself, like a tree</source>
+        <translation>Eine Scheibe immer wieder aus sich selbst wachsen lassen, wie einen Baum</translation>
+    </message>
+    <message>
+        <source>Turn a section into a circle, a star or a gear, or cut such holes into it</source>
+        <translation>Eine Scheibe zu Kreis, Stern oder Zahnrad machen oder solche Löcher hineinsetzen</translation>
+    </message>
+    <message>
+        <source>Repeat everything drawn on one side on the other</source>
+        <translation>Was auf einer Seite gezeichnet ist, auch auf der anderen stehen lassen</translation>
+    </message>
+    <message>
+        <source>Repeat everything drawn once all round an axis</source>
+        <translation>Was einmal gezeichnet ist, rings um eine Achse stehen lassen</translation>
+    </message>
+    <message>
+        <source>Mirror one side to the other, once</source>
+        <translation>Eine Seite einmal auf die andere spiegeln</translation>
+    </message>
+    <message>
+        <source>Run the selected operation before the one above it</source>
+        <translation>Die ausgewählte Operation vor der darüber arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>Run the selected operation after the one below it</source>
+        <translation>Die ausgewählte Operation nach der darunter arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>Turn what the selected operation makes into drawn sections</source>
+        <translation>Aus dem, was die ausgewählte Operation macht, gezeichnete Scheiben machen</translation>
+    </message>
+    <message>
+        <source>Snap to points, alignment lines and grid</source>
+        <translation>An Punkten, Hilfslinien und Raster einrasten</translation>
+    </message>
+    <message>
+        <source>Draw with clicks instead of one stroke: set points, drag to bend</source>
+        <translation>Mit Klicks statt in einem Zug zeichnen: Punkte setzen, zum Biegen ziehen</translation>
+    </message>
+    <message>
+        <source>Make the contour smooth at the selected points</source>
+        <translation>Die Kontur glatt durch die gewählten Punkte führen</translation>
+    </message>
+    <message>
+        <source>Make the contour smooth, with handles of equal length on both sides</source>
+        <translation>Die Kontur glatt machen, mit gleich langen Griffen zu beiden Seiten</translation>
+    </message>
+    <message>
+        <source>The selection has no holes</source>
+        <translation>Die Auswahl hat keine Löcher</translation>
+    </message>
+    <message>
+        <source>&amp;Along world axes</source>
+        <translation>&amp;Entlang der Weltachsen</translation>
+    </message>
+    <message>
+        <source>World axes</source>
+        <translation>Weltachsen</translation>
+    </message>
+    <message>
+        <source>Move along the world&apos;s axes, not in the plane of the section</source>
+        <translation>Entlang der Achsen der Welt bewegen, nicht in der Ebene der Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;Move attached sections</source>
+        <translation>Anhängende Scheiben &amp;mitbewegen</translation>
+    </message>
+    <message>
+        <source>Move attached</source>
+        <translation>Mitbewegen</translation>
+    </message>
+    <message>
+        <source>Sections that were drawn on this one move with it</source>
+        <translation>Scheiben, die auf dieser gezeichnet sind, bewegen sich mit</translation>
+    </message>
+    <message>
+        <source>Click the section to put the selected one on</source>
+        <translation>Die Scheibe anklicken, auf die die ausgewählte gesetzt werden soll</translation>
+    </message>
+    <message>
+        <source>&amp;Free from its parent</source>
+        <translation>Von der &amp;übergeordneten lösen</translation>
+    </message>
+    <message>
+        <source>Unlink from its parent: it no longer moves with it or keeps its angle</source>
+        <translation>Von der übergeordneten lösen: Sie bewegt sich nicht mehr mit und behält ihren Winkel nicht</translation>
+    </message>
+    <message>
+        <source>Turn the section square to the one it is on</source>
+        <translation>Die Scheibe rechtwinklig zu der stellen, auf der sie sitzt</translation>
+    </message>
+    <message>
+        <source>Turn the section so that it faces along a world axis</source>
+        <translation>Die Scheibe so drehen, dass sie entlang einer Achse der Welt schaut</translation>
+    </message>
+    <message>
+        <source>Protect the selected sections from changes</source>
+        <translation>Die ausgewählten Scheiben vor Änderungen schützen</translation>
+    </message>
+    <message>
+        <source>Turn the selected section into a drawn one; its operation still makes the others</source>
+        <translation>Aus der ausgewählten eine gezeichnete Scheibe machen; ihre Operation macht die anderen</translation>
+    </message>
+    <message>
+        <source>Leave the selected section out; its operation still makes the others</source>
+        <translation>Die ausgewählte Scheibe nicht machen; ihre Operation macht die anderen</translation>
+    </message>
+    <message>
+        <source>The selection is not on another section</source>
+        <translation>Die Auswahl sitzt auf keiner anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>The selection is made by an operation</source>
+        <translation>Die Auswahl macht eine Operation</translation>
+    </message>
+    <message>
+        <source>The selection is not symmetric</source>
+        <translation>Die Auswahl ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>The selection is drawn, not made by an operation</source>
+        <translation>Die Auswahl ist gezeichnet, nicht von einer Operation gemacht</translation>
+    </message>
+    <message>
+        <source>Select all sections that are connected to the selected ones</source>
+        <translation>Alle Scheiben auswählen, die mit den ausgewählten verbunden sind</translation>
+    </message>
+    <message>
+        <source>Select same stoc&amp;k</source>
+        <translation>Gl&amp;eiches Material auswählen</translation>
+    </message>
+    <message>
+        <source>Select all sections of the same stock as the selected ones</source>
+        <translation>Alle Scheiben aus dem gleichen Material wie die ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>Undo the last step</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Redo the step that was undone</source>
+        <translation>Den zurückgenommenen Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Nichts zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>The model is on the ground already</source>
+        <translation>Das Modell steht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Fade all other sections</source>
+        <translation>Alle anderen Scheiben blass zeigen</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
     <message>
         <source>Sections, joints, size and mass of a model</source>
         <translation>Scheiben, Verbindungen, Größe und Masse eines Modells</translation>
-    </message>
-    <message>
-        <source>What is to be cut, in each section&apos;s own coordinates</source>
-        <translation>Was zu schneiden ist, in den eigenen Koordinaten jeder Scheibe</translation>
-    </message>
-    <message>
-        <source>Runs a script of what a person does</source>
-        <translation>Spielt ein Skript dessen ab, was jemand tut</translation>
-    </message>
-    <message>
-        <source>For machines.</source>
-        <translation>Für Programme.</translation>
     </message>
     <message>
         <source>There is no &quot;%1&quot;.</source>
@@ -2900,20 +2884,12 @@
         <translation>Ein Bild des Modells; braucht eine Anzeige</translation>
     </message>
     <message>
-        <source>Nothing to check: the model has no section.</source>
-        <translation>Nichts zu prüfen: Das Modell hat keine Scheibe.</translation>
-    </message>
-    <message>
         <source>Whether it holds together, stands, can be assembled and fits the sheet</source>
         <translation>Ob es zusammenhält, steht, sich zusammenbauen lässt und auf die Platte passt</translation>
     </message>
     <message>
         <source>How it goes together, step by step; needs a display</source>
         <translation>Wie es zusammengebaut wird, Schritt für Schritt; braucht eine Anzeige</translation>
-    </message>
-    <message>
-        <source>The procedural operations that there are, or those of a model</source>
-        <translation>Die Operationen, die es gibt, oder die eines Modells</translation>
     </message>
     <message numerus="yes">
         <source>%n sections</source>
@@ -2927,20 +2903,12 @@
         <translation>das Modell selbst</translation>
     </message>
     <message>
-        <source>Millimetres a unit of a FlatFab file (25.4).</source>
-        <translation>Millimeter je Einheit einer FlatFab-Datei (25.4).</translation>
-    </message>
-    <message>
         <source>the solids in place</source>
         <translation>die Körper an ihrem Ort</translation>
     </message>
     <message>
         <source>cutting files, true to size</source>
         <translation>Schneiddateien in wahrer Größe</translation>
-    </message>
-    <message>
-        <source>Slits leave nothing of these, so they have no part: %1</source>
-        <translation>Die Schlitze lassen von diesen nichts übrig, sie haben also kein Teil: %1</translation>
     </message>
     <message>
         <source>Too large for the sheet, on sheets of their own: %1</source>
@@ -2963,16 +2931,44 @@
         <translation>Die Standardausgabe ließ sich nicht schreiben.</translation>
     </message>
     <message>
-        <source>Whether it holds: forces, stresses and what it bears</source>
+        <source>Prints JSON, for other programs.</source>
+        <translation>Gibt JSON aus, für andere Programme.</translation>
+    </message>
+    <message>
+        <source>Whether it is strong enough: forces, stress and what it can hold</source>
         <translation>Ob es hält: Kräfte, Spannungen und was es trägt</translation>
     </message>
     <message>
-        <source>Sections bend where joints share a load: finite elements of each; takes seconds.</source>
+        <source>The parts to cut, in each section&apos;s own coordinates</source>
+        <translation>Was zu schneiden ist, in den eigenen Koordinaten jeder Scheibe</translation>
+    </message>
+    <message>
+        <source>All kinds of operations, or the operations of a model</source>
+        <translation>Die Operationen, die es gibt, oder die eines Modells</translation>
+    </message>
+    <message>
+        <source>Plays a script of what a person does in the window</source>
+        <translation>Spielt ein Skript dessen ab, was jemand tut</translation>
+    </message>
+    <message>
+        <source>Cut away completely by slits, so there is no part: %1</source>
+        <translation>Die Schlitze lassen von diesen nichts übrig, sie haben also kein Teil: %1</translation>
+    </message>
+    <message>
+        <source>Nothing to check: the model has no sections.</source>
+        <translation>Nichts zu prüfen: Das Modell hat keine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Sections bend where joints share a load, by finite elements; takes seconds.</source>
         <translation>Scheiben biegen sich, wo sich Verbindungen eine Last teilen: finite Elemente für jede; dauert Sekunden.</translation>
     </message>
     <message>
-        <source>What acts stays for months: each stock bears the share that it says.</source>
+        <source>The load stays for months: each stock keeps only its share of strength for that.</source>
         <translation>Was wirkt, bleibt Monate: Jedes Material trägt den Anteil, den es angibt.</translation>
+    </message>
+    <message>
+        <source>Millimetres per unit of a FlatFab file (25.4).</source>
+        <translation>Millimeter je Einheit einer FlatFab-Datei (25.4).</translation>
     </message>
 </context>
 <context>
@@ -3025,14 +3021,6 @@
         <translation>Bytes</translation>
     </message>
     <message>
-        <source>this value is not possible here</source>
-        <translation>dieser Wert ist hier nicht möglich</translation>
-    </message>
-    <message>
-        <source>nothing here, expected %1</source>
-        <translation>hier steht nichts, erwartet: %1</translation>
-    </message>
-    <message>
         <source>found &quot;%1&quot;, expected %2</source>
         <translation>gefunden: „%1“, erwartet: %2</translation>
     </message>
@@ -3040,10 +3028,6 @@
         <source>%1: %2</source>
         <extracomment>%1 is a sentence such as &quot;could not be opened&quot;, %2 the system&apos;s reason</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>a count that is not possible</source>
-        <translation>eine Anzahl, die nicht möglich ist</translation>
     </message>
     <message>
         <source>found a count of %1, expected at most %2</source>
@@ -3061,14 +3045,6 @@
     <message>
         <source>made by a newer FlatFitFab: found format %1, expected at most %2</source>
         <translation>mit einem neueren FlatFitFab gemacht: Format %1, dieses liest bis %2</translation>
-    </message>
-    <message>
-        <source>these control points make no closed contour</source>
-        <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur</translation>
-    </message>
-    <message>
-        <source>these control points make no closed contour: found %1, expected %2</source>
-        <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur: gefunden: %1, erwartet: %2</translation>
     </message>
     <message>
         <source>could not be opened</source>
@@ -3095,28 +3071,12 @@
         <translation>eine Zahl ist nicht endlich</translation>
     </message>
     <message>
-        <source>these axes make no frame, expected two of length 1 at a right angle</source>
-        <translation>diese Achsen ergeben kein Koordinatensystem, erwartet: zwei der Länge 1 im rechten Winkel</translation>
-    </message>
-    <message>
         <source>this contour encloses no area</source>
         <translation>diese Kontur umschließt keine Fläche</translation>
     </message>
     <message>
         <source>there is nothing with the number %1</source>
         <translation>nichts hat die Nummer %1</translation>
-    </message>
-    <message>
-        <source>this refers to nothing that is there</source>
-        <translation>das verweist auf etwas, das es nicht gibt</translation>
-    </message>
-    <message>
-        <source>the number %1 is given twice, expected one of its own</source>
-        <translation>die Nummer %1 ist doppelt vergeben, erwartet: eine eigene</translation>
-    </message>
-    <message>
-        <source>this number is given twice, expected one of its own</source>
-        <translation>diese Nummer ist doppelt vergeben, erwartet: eine eigene</translation>
     </message>
     <message>
         <source>these two sections are nearly parallel and cannot be joined</source>
@@ -3151,30 +3111,6 @@
         <translation>das kennt diese Version nicht</translation>
     </message>
     <message>
-        <source>the axes of %1 were not at right angles or not of length 1 and have been straightened</source>
-        <translation>die Achsen von %1 standen nicht im rechten Winkel oder hatten nicht die Länge 1 und wurden gerichtet</translation>
-    </message>
-    <message>
-        <source>the axes of a frame were not at right angles or not of length 1 and have been straightened</source>
-        <translation>die Achsen eines Koordinatensystems standen nicht im rechten Winkel oder hatten nicht die Länge 1 und wurden gerichtet</translation>
-    </message>
-    <message>
-        <source>a contour of %1 crosses itself; its largest region was kept</source>
-        <translation>eine Kontur von %1 kreuzt sich selbst; ihr größtes Gebiet wurde behalten</translation>
-    </message>
-    <message>
-        <source>a contour crosses itself; its largest region was kept</source>
-        <translation>eine Kontur kreuzt sich selbst; ihr größtes Gebiet wurde behalten</translation>
-    </message>
-    <message>
-        <source>a hole of %1 reaches out of its contour and was left out</source>
-        <translation>ein Loch von %1 ragt aus der Kontur und wurde weggelassen</translation>
-    </message>
-    <message>
-        <source>a hole reaches out of its contour and was left out</source>
-        <translation>ein Loch ragt aus seiner Kontur und wurde weggelassen</translation>
-    </message>
-    <message>
         <source>a hole of %1 has no area and was left out</source>
         <translation>ein Loch von %1 hat keine Fläche und wurde weggelassen</translation>
     </message>
@@ -3199,10 +3135,6 @@
         <translation>eine Breite und eine Höhe über 0</translation>
     </message>
     <message>
-        <source>three control points a segment, at least 6</source>
-        <translation>drei Kontrollpunkte je Segment, mindestens 6</translation>
-    </message>
-    <message>
         <source>a parent that does not descend from its child</source>
         <translation>eine Elternscheibe, die nicht von ihrem Kind abstammt</translation>
     </message>
@@ -3225,10 +3157,6 @@
     <message>
         <source>a point of two numbers</source>
         <translation>ein Punkt aus zwei Zahlen</translation>
-    </message>
-    <message>
-        <source>three control points a segment and the first again, at least 7</source>
-        <translation>drei Kontrollpunkte je Segment und der erste noch einmal, mindestens 7</translation>
     </message>
     <message>
         <source>at least 1 curve</source>
@@ -3319,22 +3247,6 @@
         <translation>dieser Ordner ist schreibgeschützt</translation>
     </message>
     <message>
-        <source>holes of %1 overlap and were made one</source>
-        <translation>Löcher von %1 überlappen sich und wurden vereint</translation>
-    </message>
-    <message>
-        <source>holes overlap and were made one</source>
-        <translation>Löcher überlappen sich und wurden vereint</translation>
-    </message>
-    <message>
-        <source>a hole of %1 reaches out of its contour and was made a notch of it</source>
-        <translation>ein Loch von %1 ragt aus der Kontur und wurde zu einer Kerbe</translation>
-    </message>
-    <message>
-        <source>a hole reaches out of its contour and was made a notch of it</source>
-        <translation>ein Loch ragt aus seiner Kontur und wurde zu einer Kerbe</translation>
-    </message>
-    <message>
         <source>at least one stock</source>
         <translation>mindestens ein Material</translation>
     </message>
@@ -3345,10 +3257,6 @@
     <message>
         <source>it is open in another window</source>
         <translation>es ist in einem anderen Fenster offen</translation>
-    </message>
-    <message>
-        <source>a hole would not lie inside the contour by itself</source>
-        <translation>ein Loch läge nicht für sich in der Kontur</translation>
     </message>
     <message>
         <source>too few points would be left to enclose anything</source>
@@ -3389,10 +3297,6 @@
     <message>
         <source>engraved or scored</source>
         <translation>engraved oder scored</translation>
-    </message>
-    <message>
-        <source>three control points a segment and one</source>
-        <translation>drei Stützpunkte je Abschnitt und einen</translation>
     </message>
     <message>
         <source>at least one line</source>
@@ -3467,28 +3371,12 @@
         <translation>ein Körper ließ sich nicht berechnen</translation>
     </message>
     <message>
-        <source>what is drawn on &quot;%1&quot; could not be cut off at its edge</source>
-        <translation>was auf „%1“ gezeichnet ist, ließ sich nicht am Rand abschneiden</translation>
-    </message>
-    <message>
-        <source>what is drawn on a section could not be cut off at its edge</source>
-        <translation>was auf einer Scheibe gezeichnet ist, ließ sich nicht am Rand abschneiden</translation>
-    </message>
-    <message>
         <source>the sections of the operation &quot;%1&quot; could not be worked out</source>
         <translation>die Scheiben der Operation „%1“ ließen sich nicht berechnen</translation>
     </message>
     <message>
         <source>the sections of an operation could not be worked out</source>
         <translation>die Scheiben einer Operation ließen sich nicht berechnen</translation>
-    </message>
-    <message>
-        <source>data packed with gzip, undamaged</source>
-        <translation>mit gzip gepackte Daten, unbeschädigt</translation>
-    </message>
-    <message>
-        <source>the rest of what is packed with gzip</source>
-        <translation>der Rest dessen, was mit gzip gepackt ist</translation>
     </message>
     <message>
         <source>a file needs a name</source>
@@ -3511,10 +3399,6 @@
         <translation>beide Hälften eines Zeichens</translation>
     </message>
     <message>
-        <source>nothing writes into this pipe</source>
-        <translation>niemand schreibt in diese Pipe</translation>
-    </message>
-    <message>
         <source>nothing came out of it for 10 seconds</source>
         <translation>10 Sekunden lang kam nichts heraus</translation>
     </message>
@@ -3531,20 +3415,8 @@
         <translation>Elemente und Attribute</translation>
     </message>
     <message>
-        <source>nothing reads this pipe</source>
-        <translation>niemand liest diese Pipe</translation>
-    </message>
-    <message>
         <source>places where a line may cross itself</source>
         <translation>Stellen, an denen eine Linie sich kreuzen kann</translation>
-    </message>
-    <message>
-        <source>no path runs round this outline at half the kerf everywhere</source>
-        <translation>um diesen Umriss führt kein Weg überall im Abstand der halben Schnittfuge</translation>
-    </message>
-    <message>
-        <source>no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is finest in its contour, or give its stock another kerf</source>
-        <translation>um %1 führt kein Weg überall im Abstand der halben Schnittfuge von %2 mm; glätten Sie das Feinste an der Kontur, oder geben Sie dem Material eine andere Schnittfuge</translation>
     </message>
     <message>
         <source>the kerf closes a slit</source>
@@ -3571,32 +3443,16 @@
         <translation>Einträge</translation>
     </message>
     <message>
-        <source>the list of what is packed in it is damaged</source>
-        <translation>das Verzeichnis dessen, was darin gepackt ist, ist beschädigt</translation>
-    </message>
-    <message>
         <source>this entry is damaged</source>
         <translation>dieser Eintrag ist beschädigt</translation>
-    </message>
-    <message>
-        <source>this entry is there twice</source>
-        <translation>diesen Eintrag gibt es zweimal</translation>
     </message>
     <message>
         <source>this entry is encrypted</source>
         <translation>dieser Eintrag ist verschlüsselt</translation>
     </message>
     <message>
-        <source>this entry is packed in a way that is not known here</source>
-        <translation>dieser Eintrag ist auf eine Art gepackt, die hier nicht bekannt ist</translation>
-    </message>
-    <message>
         <source>entries in it share their bytes</source>
         <translation>Einträge darin teilen sich ihre Bytes</translation>
-    </message>
-    <message>
-        <source>a few bytes of this entry stand for far too many</source>
-        <translation>wenige Bytes dieses Eintrags stehen für viel zu viele</translation>
     </message>
     <message>
         <source>a %1 file</source>
@@ -3616,10 +3472,6 @@
         <translation>kein Modell, erwartet: %1</translation>
     </message>
     <message>
-        <source>what is packed in this file is damaged</source>
-        <translation>was in dieser Datei gepackt ist, ist beschädigt</translation>
-    </message>
-    <message>
         <source>%1 could not be read and was left out</source>
         <translation>%1 konnte nicht gelesen werden und wurde weggelassen</translation>
     </message>
@@ -3629,24 +3481,12 @@
     </message>
     <message>
         <source>%1 was left out: %2</source>
-        <extracomment>%2 is a reason such as &quot;its bytes are missing&quot;</extracomment>
+        <extracomment>%2 is a reason such as &quot;its data is missing&quot;</extracomment>
         <translation>%1 wurde weggelassen: %2</translation>
-    </message>
-    <message>
-        <source>its bytes are missing</source>
-        <translation>seine Bytes fehlen</translation>
     </message>
     <message>
         <source>a SHA-256 in 64 hexadecimal digits</source>
         <translation>ein SHA-256 aus 64 Hexadezimalziffern</translation>
-    </message>
-    <message>
-        <source>an entry of this name has no place here</source>
-        <translation>ein Eintrag dieses Namens hat hier nichts zu suchen</translation>
-    </message>
-    <message>
-        <source>this entry is not what its name, a SHA-256, says</source>
-        <translation>dieser Eintrag ist nicht, was sein Name, ein SHA-256, besagt</translation>
     </message>
     <message>
         <source>this entry is missing</source>
@@ -3655,18 +3495,6 @@
     <message>
         <source>nothing in the document refers to this entry</source>
         <translation>nichts im Dokument verweist auf diesen Eintrag</translation>
-    </message>
-    <message>
-        <source>its bytes are damaged</source>
-        <translation>seine Bytes sind beschädigt</translation>
-    </message>
-    <message>
-        <source>there is more in this file than what is packed in it</source>
-        <translation>in der Datei steht mehr als das, was darin gepackt ist</translation>
-    </message>
-    <message>
-        <source>this entry itself has another name than the list of what is packed gives it</source>
-        <translation>dieser Eintrag selbst heißt anders als in der Liste des Gepackten</translation>
     </message>
     <message>
         <source>slits leave nothing of any section, so there is nothing to cut</source>
@@ -3703,6 +3531,230 @@
     <message>
         <source>a share above 0, 1 at most</source>
         <translation>ein Anteil über 0, höchstens 1</translation>
+    </message>
+    <message>
+        <source>its list of contents is damaged</source>
+        <translation>sein Inhaltsverzeichnis ist beschädigt</translation>
+    </message>
+    <message>
+        <source>there is more in this file than its contents</source>
+        <translation>in der Datei steht mehr als das, was darin gepackt ist</translation>
+    </message>
+    <message>
+        <source>this entry occurs twice</source>
+        <translation>diesen Eintrag gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>this entry is packed in an unknown way</source>
+        <translation>dieser Eintrag ist auf eine Art gepackt, die hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>this entry has another name than in the list of contents</source>
+        <translation>dieser Eintrag selbst heißt anders als in der Liste des Gepackten</translation>
+    </message>
+    <message>
+        <source>this entry unpacks to far too much</source>
+        <translation>wenige Bytes dieses Eintrags stehen für viel zu viele</translation>
+    </message>
+    <message>
+        <source>undamaged gzip data</source>
+        <translation>mit gzip gepackte Daten, unbeschädigt</translation>
+    </message>
+    <message>
+        <source>the rest of the gzip data</source>
+        <translation>der Rest dessen, was mit gzip gepackt ist</translation>
+    </message>
+    <message>
+        <source>this value is not allowed here</source>
+        <translation>dieser Wert ist hier nicht möglich</translation>
+    </message>
+    <message>
+        <source>found nothing, expected %1</source>
+        <translation>hier steht nichts, erwartet: %1</translation>
+    </message>
+    <message>
+        <source>this count is not possible</source>
+        <translation>eine Anzahl, die nicht möglich ist</translation>
+    </message>
+    <message>
+        <source>these control points do not form a closed contour</source>
+        <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur</translation>
+    </message>
+    <message>
+        <source>these control points do not form a closed contour: found %1, expected %2</source>
+        <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur: gefunden: %1, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>no path can follow this outline at half the kerf all the way round</source>
+        <translation>um diesen Umriss führt kein Weg überall im Abstand der halben Schnittfuge</translation>
+    </message>
+    <message>
+        <source>no path can follow %1 at half the kerf of %2 mm all the way round; smooth the finest details of its contour, or give its stock another kerf</source>
+        <translation>um %1 führt kein Weg überall im Abstand der halben Schnittfuge von %2 mm; das Feinste an der Kontur glätten oder dem Material eine andere Schnittfuge geben</translation>
+    </message>
+    <message>
+        <source>these axes do not form a frame, expected two of length 1 at a right angle</source>
+        <translation>diese Achsen ergeben kein Koordinatensystem, erwartet: zwei der Länge 1 im rechten Winkel</translation>
+    </message>
+    <message>
+        <source>this refers to something that does not exist</source>
+        <translation>das verweist auf etwas, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the number %1 is used twice, expected one of its own</source>
+        <translation>die Nummer %1 ist doppelt vergeben, erwartet: eine eigene</translation>
+    </message>
+    <message>
+        <source>this number is used twice, expected one of its own</source>
+        <translation>diese Nummer ist doppelt vergeben, erwartet: eine eigene</translation>
+    </message>
+    <message>
+        <source>a hole would touch the edge or another hole</source>
+        <translation>ein Loch würde den Rand oder ein anderes Loch berühren</translation>
+    </message>
+    <message>
+        <source>the marks on &quot;%1&quot; could not be trimmed at its edge</source>
+        <translation>was auf „%1“ gezeichnet ist, ließ sich nicht am Rand abschneiden</translation>
+    </message>
+    <message>
+        <source>the marks on a section could not be trimmed at its edge</source>
+        <translation>was auf einer Scheibe gezeichnet ist, ließ sich nicht am Rand abschneiden</translation>
+    </message>
+    <message>
+        <source>the contents of this file are damaged</source>
+        <translation>der Inhalt dieser Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 was slightly skewed and has been straightened</source>
+        <translation>%1 war leicht schief und ist begradigt</translation>
+    </message>
+    <message>
+        <source>a section was slightly skewed and has been straightened</source>
+        <translation>eine Scheibe war leicht schief und ist begradigt</translation>
+    </message>
+    <message>
+        <source>the contour of %1 crosses itself; its largest loop was kept</source>
+        <translation>die Kontur von %1 kreuzt sich selbst; ihre größte Schleife blieb</translation>
+    </message>
+    <message>
+        <source>a contour crosses itself; its largest loop was kept</source>
+        <translation>eine Kontur kreuzt sich selbst; ihre größte Schleife blieb</translation>
+    </message>
+    <message>
+        <source>a hole of %1 reaches beyond its contour and was left out</source>
+        <translation>ein Loch von %1 ragt aus der Kontur und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>a hole reaches beyond its contour and was left out</source>
+        <translation>ein Loch ragt aus seiner Kontur und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>holes of %1 overlap and were merged into one</source>
+        <translation>Löcher von %1 überlappen sich und wurden vereint</translation>
+    </message>
+    <message>
+        <source>holes overlap and were merged into one</source>
+        <translation>Löcher überlappen sich und wurden vereint</translation>
+    </message>
+    <message>
+        <source>a hole of %1 reaches beyond its contour and was cut out of it</source>
+        <translation>ein Loch von %1 ragt aus der Kontur und wurde aus ihr ausgeschnitten</translation>
+    </message>
+    <message>
+        <source>a hole reaches beyond its contour and was cut out of it</source>
+        <translation>ein Loch ragt aus seiner Kontur und wurde aus ihr ausgeschnitten</translation>
+    </message>
+    <message>
+        <source>three control points per segment and one more</source>
+        <translation>drei Stützpunkte je Abschnitt und einen</translation>
+    </message>
+    <message>
+        <source>its data is missing</source>
+        <translation>seine Bytes fehlen</translation>
+    </message>
+    <message>
+        <source>an entry with this name does not belong here</source>
+        <translation>ein Eintrag dieses Namens hat hier nichts zu suchen</translation>
+    </message>
+    <message>
+        <source>the data of this entry does not match its name, a SHA-256</source>
+        <translation>dieser Eintrag ist nicht, was sein Name, ein SHA-256, besagt</translation>
+    </message>
+    <message>
+        <source>three control points per segment, at least 6</source>
+        <translation>drei Kontrollpunkte je Segment, mindestens 6</translation>
+    </message>
+    <message>
+        <source>three control points per segment and the first again, at least 7</source>
+        <translation>drei Kontrollpunkte je Segment und der erste noch einmal, mindestens 7</translation>
+    </message>
+    <message>
+        <source>nothing is writing to this pipe</source>
+        <translation>niemand schreibt in diese Pipe</translation>
+    </message>
+    <message>
+        <source>nothing is reading from this pipe</source>
+        <translation>niemand liest diese Pipe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections were slightly skewed and have been straightened.</source>
+        <translation>
+            <numerusform>%n Scheibe war leicht schief und ist begradigt.</numerusform>
+            <numerusform>%n Scheiben waren leicht schief und sind begradigt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contours crossed themselves; the largest loop of each was kept.</source>
+        <translation>
+            <numerusform>%n Kontur kreuzte sich selbst; ihre größte Schleife blieb.</numerusform>
+            <numerusform>%n Konturen kreuzten sich selbst; von jeder blieb die größte Schleife.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes reached beyond their contours and were left out.</source>
+        <translation>
+            <numerusform>%n Loch ragte aus seiner Kontur und wurde weggelassen.</numerusform>
+            <numerusform>%n Löcher ragten aus ihren Konturen und wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes had no area and were left out.</source>
+        <translation>
+            <numerusform>%n Loch hatte keine Fläche und wurde weggelassen.</numerusform>
+            <numerusform>%n Löcher hatten keine Fläche und wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Holes of %n sections overlapped and were merged.</source>
+        <translation>
+            <numerusform>Löcher von %n Scheibe überlappten sich und wurden vereint.</numerusform>
+            <numerusform>Löcher von %n Scheiben überlappten sich und wurden vereint.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes reached beyond their contours and were cut out of them.</source>
+        <translation>
+            <numerusform>%n Loch ragte aus seiner Kontur und wurde aus ihr ausgeschnitten.</numerusform>
+            <numerusform>%n Löcher ragten aus ihren Konturen und wurden aus ihnen ausgeschnitten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Text after the last section was ignored in %n places.</source>
+        <translation>
+            <numerusform>Text nach der letzten Scheibe wurde an %n Stelle übergangen.</numerusform>
+            <numerusform>Text nach der letzten Scheibe wurde an %n Stellen übergangen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures or meshes could not be read and were left out.</source>
+        <translation>
+            <numerusform>%n Bild oder Netz ließ sich nicht lesen und wurde weggelassen.</numerusform>
+            <numerusform>%n Bilder oder Netze ließen sich nicht lesen und wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its data is damaged</source>
+        <translation>seine Bytes sind beschädigt</translation>
     </message>
 </context>
 <context>
@@ -3791,36 +3843,8 @@
         <translation>&lt;kbd&gt;%1&lt;/kbd&gt; nimmt es zurück.</translation>
     </message>
     <message>
-        <source>Nothing moved: where %1 and %2 meet, two slits do not share the way.</source>
-        <translation>Nichts verschoben: Wo %1 und %2 sich treffen, teilen sich nicht zwei Schlitze den Weg.</translation>
-    </message>
-    <message>
         <source>Nothing changed: %1 and %2 cannot be joined like that.</source>
         <translation>Nichts geändert: %1 und %2 lassen sich so nicht verbinden.</translation>
-    </message>
-    <message>
-        <source>Nothing turned: the slits of %1 and %2 cannot open to the other side.</source>
-        <translation>Nichts gedreht: Die Schlitze von %1 und %2 können nicht zur anderen Seite aufgehen.</translation>
-    </message>
-    <message>
-        <source>Nothing trimmed: %1 is not in %2, or nothing of it would stay.</source>
-        <translation>Nichts gekürzt: %1 steckt nicht in %2, oder es bliebe nichts davon.</translation>
-    </message>
-    <message>
-        <source>Move to shift the cut, release to leave it there. Esc puts it back.</source>
-        <translation>Bewegen verschiebt den Schnitt, Loslassen lässt ihn dort. Esc setzt ihn zurück.</translation>
-    </message>
-    <message>
-        <source>The plane is seen on its edge: turn the view to go on drawing.</source>
-        <translation>Die Ebene ist von der Kante zu sehen: Ansicht drehen, um weiterzuzeichnen.</translation>
-    </message>
-    <message>
-        <source>The points are gone, for the section that they stood on is.</source>
-        <translation>Die Punkte sind weg, denn die Scheibe, auf der sie standen, ist es auch.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: no section can be made of this line. Draw it as one open loop.</source>
-        <translation>Nichts gezeichnet: Aus dieser Linie wird keine Scheibe. Als eine offene Schleife zeichnen.</translation>
     </message>
     <message>
         <source>Nothing drawn: all of it lies below the ground, where it is cut off.</source>
@@ -3829,18 +3853,6 @@
     <message>
         <source>No hole made: it must lie in %1 and leave it in one piece.</source>
         <translation>Kein Loch gemacht: Es muss in %1 liegen und sie in einem Stück lassen.</translation>
-    </message>
-    <message>
-        <source>The hole reaches over the edge of %1 and was cut out of it.</source>
-        <translation>Das Loch reicht über den Rand von %1 und wurde aus ihm ausgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The hole met others in %1; they are one hole now.</source>
-        <translation>Das Loch traf andere in %1; sie sind jetzt ein Loch.</translation>
-    </message>
-    <message>
-        <source>Holes of %1 that lie outside of its new contour were left out.</source>
-        <translation>Löcher von %1, die außerhalb der neuen Kontur liegen, wurden weggelassen.</translation>
     </message>
     <message>
         <source>Draw a section on the ground in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
@@ -3865,10 +3877,6 @@
     <message>
         <source>Draw a hole in %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Ein Loch in %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Nothing imported: no line of %1 closes to an outline. It can be engraved.</source>
-        <translation>Nichts eingelesen: Keine Linie von %1 schließt sich zu einem Umriss. Gravieren geht.</translation>
     </message>
     <message numerus="yes">
         <source>%n outlines of %1 did not fit and were left out.</source>
@@ -3909,20 +3917,6 @@
         </translation>
     </message>
     <message>
-        <source>%1: drag from its middle outwards; a click makes one of the usual size.</source>
-        <extracomment>%1 is a shape (&quot;Circle&quot;)</extracomment>
-        <translation>%1: von der Mitte nach außen ziehen; ein Klick setzt die übliche Größe.</translation>
-    </message>
-    <message>
-        <source>%1: drag from its middle outwards to cut it out of %2.</source>
-        <extracomment>%1 is a shape (&quot;Circle&quot;), %2 the name of a section</extracomment>
-        <translation>%1: von der Mitte nach außen ziehen, um es aus %2 auszuschneiden.</translation>
-    </message>
-    <message>
-        <source>Release to make it so large; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps both sides alike. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt es so groß; &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält beide Seiten gleich. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
         <source>Draw the first section: press, draw its shape in one go, release.</source>
         <translation>Die erste Scheibe zeichnen: drücken, ihre Form in einem Zug zeichnen, loslassen.</translation>
     </message>
@@ -3933,14 +3927,6 @@
     <message>
         <source>Drag out of %1 to draw a section across it; click to select it.</source>
         <translation>Aus %1 hinausziehen zeichnet eine Scheibe quer dazu; ein Klick wählt sie.</translation>
-    </message>
-    <message>
-        <source>Click to select %1. Drag to turn the view: on its edge nothing is drawn.</source>
-        <translation>Ein Klick wählt %1. Ziehen dreht die Ansicht: Auf der Kante wird nicht gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Drag to move the cut through the model; Esc closes it.</source>
-        <translation>Ziehen bewegt den Schnitt durch das Modell; Esc schließt ihn.</translation>
     </message>
     <message>
         <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, arrow keys move 1&#x202f;mm.</source>
@@ -3973,14 +3959,6 @@
     <message>
         <source>Click to select %1 alone; drag out of it to draw a section across it.</source>
         <translation>Klick wählt %1 allein aus; herausziehen zeichnet eine Scheibe quer dazu.</translation>
-    </message>
-    <message>
-        <source>Drag a round handle to move the beginning or the end of %1; click one section to select it.</source>
-        <translation>Runde Griffe verschieben Anfang und Ende von %1; ein Klick auf eine Scheibe wählt sie aus.</translation>
-    </message>
-    <message>
-        <source>Drag to move the beginning of %1; click to type it.</source>
-        <translation>Ziehen verschiebt den Anfang von %1; Klick, um ihn einzutippen.</translation>
     </message>
     <message>
         <source>Drag to move the end of %1; click to type it.</source>
@@ -4027,70 +4005,16 @@
         <translation>Die Scheibe anklicken, die graviert wird. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
-        <source>Drag to draw a line on %1; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps it straight. Click to set words.</source>
-        <translation>Ziehen zeichnet eine Linie auf %1, mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; gerade. Ein Klick setzt Text.</translation>
-    </message>
-    <message>
-        <source>Release to leave the line so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt die Linie so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Nothing engraved: that lies beside %1.</source>
-        <translation>Nichts graviert: Das liegt neben %1.</translation>
-    </message>
-    <message>
-        <source>There is no letter “%1” to engrave.</source>
-        <translation>Der Buchstabe „%1“ lässt sich nicht gravieren.</translation>
-    </message>
-    <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; snaps to nothing. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
-        <translation>Zum Messen von einem Ort zum anderen ziehen; &lt;kbd&gt;Strg&lt;/kbd&gt; fängt nichts. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
-    </message>
-    <message>
-        <source>Go to the second place. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Zum zweiten Ort gehen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag again to measure something else. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it away.</source>
-        <translation>Erneut ziehen misst etwas anderes. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es weg.</translation>
-    </message>
-    <message>
         <source>Drag along something whose length you know; the whole model follows. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Entlang von etwas ziehen, dessen Länge bekannt ist; das ganze Modell folgt. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
-    </message>
-    <message>
-        <source>Type how long this shall be; &lt;kbd&gt;Enter&lt;/kbd&gt; scales the whole model. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Eintippen, wie lang dies sein soll; &lt;kbd&gt;Eingabe&lt;/kbd&gt; skaliert das ganze Modell. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>The model cannot be made that large or small.</source>
         <translation>So groß oder klein kann das Modell nicht werden.</translation>
     </message>
     <message>
-        <source>The model cannot be scaled so far: %1 would leave its bounds.</source>
-        <translation>So weit lässt sich das Modell nicht skalieren: %1 käme aus seinem Bereich.</translation>
-    </message>
-    <message>
-        <source>Release to let %1 begin here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 beginnt hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Release to let %1 end here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 endet hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
-        <translation>Aus einer Scheibe ziehen, um quer zu ihr zu zeichnen; hier ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
-    </message>
-    <message>
         <source>Drag out of %1 to draw across it with the pen; click to select it.</source>
         <translation>Aus %1 hinausziehen, um mit der Feder quer dazu zu zeichnen; Klick wählt sie aus.</translation>
-    </message>
-    <message>
-        <source>Click to set the first point, drag to bend. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
-        <translation>Klick setzt den ersten Punkt, Ziehen biegt. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
     </message>
     <message>
         <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back.</source>
@@ -4156,44 +4080,8 @@
         <translation>Loslassen lässt ihn hier. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
     </message>
     <message>
-        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
-        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
-    </message>
-    <message>
-        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes corners at its ends. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht Ecken an den Enden. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Here the contour would cross itself; it stays at the last place where it does not.</source>
-        <translation>Hier würde die Kontur sich selbst kreuzen; sie bleibt, wo sie es zuletzt nicht tat.</translation>
-    </message>
-    <message>
-        <source>Here a hole would not lie inside by itself; it stays at the last place where it does.</source>
-        <translation>Hier läge ein Loch nicht für sich innen; alles bleibt, wo es zuletzt passte.</translation>
-    </message>
-    <message>
-        <source>Here all of %1 would be cut off at the ground; it stays as it was.</source>
-        <translation>Hier würde %1 am Boden ganz abgeschnitten; alles bleibt, wie es war.</translation>
-    </message>
-    <message>
-        <source>Nothing deleted: a contour needs two points at least.</source>
-        <translation>Nichts gelöscht: Eine Kontur braucht mindestens zwei Punkte.</translation>
-    </message>
-    <message>
-        <source>Release to select all that is wholly inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen wählt alles aus, was ganz darin liegt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
         <source>Release to select the points inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Loslassen wählt die Punkte darin. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1 keeps its angle to %2. Free it to turn it any way.</source>
-        <translation>%1 behält ihren Winkel zu %2. Freigeben, um sie beliebig zu drehen.</translation>
-    </message>
-    <message>
-        <source>%1 is on no other section, so it has no angle to one.</source>
-        <translation>%1 sitzt auf keiner anderen Scheibe und hat daher keinen Winkel zu einer.</translation>
     </message>
     <message>
         <source>%1 cannot be on %2, which is on it.</source>
@@ -4202,10 +4090,6 @@
     <message>
         <source>%1 and %2 do not meet: move one of them across the other first.</source>
         <translation>%1 und %2 treffen sich nicht: zuerst eine quer in die andere bewegen.</translation>
-    </message>
-    <message>
-        <source>Click the section that %1 shall be on. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Auf die Scheibe klicken, auf der %1 sitzen soll. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Drag to turn the view; &lt;kbd&gt;Space&lt;/kbd&gt; plays, &lt;kbd&gt;←&lt;/kbd&gt; and &lt;kbd&gt;→&lt;/kbd&gt; go step by step. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the steps.</source>
@@ -4218,10 +4102,6 @@
     <message>
         <source>Drag on to leave %1; the slit ends at its edge. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Weiterziehen, bis %1 verlassen ist; der Schlitz endet am Rand. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Leave the grey zone where the contour shall begin. Release here cancels.</source>
-        <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
     </message>
     <message>
         <source>Draw the contour, release to close it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
@@ -4246,10 +4126,6 @@
     <message>
         <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored. Let &lt;kbd&gt;Shift&lt;/kbd&gt; go to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, gespiegelt. Ohne &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour, mirrored across its slit. &lt;kbd&gt;Shift&lt;/kbd&gt; switches mirroring over.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; kehrt das Spiegeln um.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the vertical. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side.</source>
@@ -4280,18 +4156,6 @@
         <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb.</translation>
     </message>
     <message>
-        <source>%1 was mirrored; what came over its axis and back was left out.</source>
-        <translation>%1 wurde gespiegelt; was über die Achse und zurück lief, wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>Click the section to move or turn, or drag it. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
-        <translation>Auf die Scheibe klicken, die bewegt werden soll, oder sie ziehen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
-    </message>
-    <message>
-        <source>Drag an arrow to move, a ring to turn, a box to scale; or type numbers. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
-        <translation>Pfeil ziehen bewegt, Ring dreht, Kästchen skaliert; oder Zahlen tippen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
-    </message>
-    <message>
         <source>Drag to move %1; click to select it.</source>
         <translation>Ziehen bewegt %1; klicken wählt aus.</translation>
     </message>
@@ -4306,18 +4170,6 @@
     <message>
         <source>Drag to scale; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
         <translation>Ziehen skaliert; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
-    </message>
-    <message>
-        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Release to leave a copy so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt eine Kopie so da. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; leaves it like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; lässt es so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message numerus="yes">
         <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
@@ -4335,10 +4187,6 @@
         <translation>Bewegen verschiebt die Ansicht, Loslassen beendet es.</translation>
     </message>
     <message>
-        <source>Move up to come nearer, down to go away; release to stop.</source>
-        <translation>Nach oben geht es näher heran, nach unten weiter weg; Loslassen beendet es.</translation>
-    </message>
-    <message>
         <source>Nothing changed: this cannot be done here.</source>
         <translation>Nichts geändert: Das geht hier nicht.</translation>
     </message>
@@ -4351,16 +4199,8 @@
         <translation>%1 kommt von %2: die Vorlage bearbeiten oder diese lösen.</translation>
     </message>
     <message>
-        <source>Here nothing would be left of %1; it stays as it was.</source>
-        <translation>Hier bliebe nichts von %1 übrig; alles bleibt, wie es war.</translation>
-    </message>
-    <message>
         <source>%1 was cut flat at the ground.</source>
         <translation>%1 wurde am Boden eben abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>Cut flat at the ground, %1 fell apart; the largest piece was kept.</source>
-        <translation>Am Boden eben abgeschnitten zerfiel %1; das größte Stück blieb.</translation>
     </message>
     <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
@@ -4415,24 +4255,11 @@
     </message>
     <message>
         <source>Drag on to leave %1. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves the slit as you draw it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Ziehen Sie weiter aus %1 hinaus. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt den Schlitz, wie Sie ihn zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Click a place on a section to hang %1 there. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
-        <translation>Klick auf eine Stelle eines Teils, um dort %1 anzuhängen. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet es.</translation>
-    </message>
-    <message>
-        <source>Nothing hung there: click on a section.</source>
-        <translation>Nichts angehängt: Klick auf ein Teil.</translation>
+        <translation>Weiter aus %1 hinaus ziehen. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt den Schlitz, wie er gezeichnet ist. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Arrow keys move the weight of %1 on %2 by 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; and &lt;kbd&gt;−&lt;/kbd&gt; change it, &lt;kbd&gt;Del&lt;/kbd&gt; removes it.</source>
         <translation>Pfeiltasten bewegen das Gewicht von %1 auf %2 um 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern es, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt es.</translation>
-    </message>
-    <message>
-        <source>The weight stays where it hangs: there it would be beside %1.</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Das Gewicht bleibt, wo es hängt: dort wäre es neben %1.</translation>
     </message>
     <message>
         <source>B: make corners right angles</source>
@@ -4451,14 +4278,6 @@
         <translation>Pfeiltasten verschieben den Druck von %1 auf %2 um 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern ihn, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt ihn.</translation>
     </message>
     <message>
-        <source>Press on a section and drag to where it is pushed. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
-        <translation>Auf eine Scheibe drücken und dorthin ziehen, wohin sie gedrückt wird. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
-    </message>
-    <message>
-        <source>Press on a section and drag to pull it, only to see what happens.</source>
-        <translation>Auf eine Scheibe drücken und daran ziehen, nur um zu sehen, was geschieht.</translation>
-    </message>
-    <message>
         <source>Release to let it go: nothing is kept.</source>
         <translation>Loslassen gibt es frei: nichts bleibt.</translation>
     </message>
@@ -4467,45 +4286,278 @@
         <translation>Ziehen verschiebt es. Ein &lt;b&gt;Klick&lt;/b&gt; wählt es aus.</translation>
     </message>
     <message>
-        <source>Drag the tip: its way is that of the push, a longer arrow pushes harder.</source>
-        <translation>An der Spitze ziehen: sie zeigt, wohin gedrückt wird, ein längerer Pfeil drückt stärker.</translation>
-    </message>
-    <message>
-        <source>Release to hang the weight here. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it back.</source>
-        <translation>Loslassen hängt das Gewicht hier auf. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es zurück.</translation>
-    </message>
-    <message>
         <source>Release to push here. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it back.</source>
         <translation>Loslassen drückt hier. &lt;kbd&gt;Esc&lt;/kbd&gt; legt ihn zurück.</translation>
-    </message>
-    <message>
-        <source>Nothing to push there: press on a section.</source>
-        <translation>Dort ist nichts zu drücken: auf eine Scheibe drücken.</translation>
-    </message>
-    <message>
-        <source>The push stays where it is: there it would be beside %1.</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Der Druck bleibt, wo er ist: dort wäre er neben %1.</translation>
     </message>
     <message>
         <source>Click to select problem %1.</source>
         <translation>Klicken wählt Problem %1 aus.</translation>
     </message>
     <message>
-        <source>The copy of %1 carries it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
+        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ebene und Ergebnis in der Leiste wählen; &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing moved: where %1 and %2 meet, there are no two slits that share the depth.</source>
+        <translation>Nichts verschoben: Wo %1 und %2 sich treffen, teilen sich nicht zwei Schlitze den Weg.</translation>
+    </message>
+    <message>
+        <source>Nothing flipped: the slits of %1 and %2 cannot open to the other side.</source>
+        <translation>Nichts gedreht: Die Schlitze von %1 und %2 können nicht zur anderen Seite aufgehen.</translation>
+    </message>
+    <message>
+        <source>Nothing trimmed: %1 is not in %2, or nothing of it would remain.</source>
+        <translation>Nichts gekürzt: %1 steckt nicht in %2, oder es bliebe nichts davon.</translation>
+    </message>
+    <message>
+        <source>Move to shift the cut, release to leave it there. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it back.</source>
+        <translation>Bewegen verschiebt den Schnitt, Loslassen lässt ihn dort. &lt;kbd&gt;Esc&lt;/kbd&gt; setzt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>You can&apos;t draw on a plane seen edge-on: turn the view to go on.</source>
+        <translation>Die Ebene ist von der Kante zu sehen: Ansicht drehen, um weiterzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>Path discarded: its section no longer exists.</source>
+        <translation>Linienzug verworfen: Die Scheibe dazu gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: no section can be made from this line. Draw it as one open loop.</source>
+        <translation>Nichts gezeichnet: Aus dieser Linie wird keine Scheibe. Als eine offene Schleife zeichnen.</translation>
+    </message>
+    <message>
+        <source>The hole reaches beyond the edge of %1 and was cut out of it.</source>
+        <translation>Das Loch reicht über den Rand von %1 und wurde aus ihm ausgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The hole touched others in %1; they are one hole now.</source>
+        <translation>Das Loch traf andere in %1; sie sind jetzt ein Loch.</translation>
+    </message>
+    <message>
+        <source>Holes of %1 outside its new contour were left out.</source>
+        <translation>Löcher von %1, die außerhalb der neuen Kontur liegen, wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Nothing imported: no line in %1 forms a closed outline. They can be engraved.</source>
+        <translation>Nichts importiert: Keine Linie in %1 schließt sich zu einem Umriss. Gravieren lassen sie sich.</translation>
+    </message>
+    <message>
+        <source>%1: drag outwards from its centre; a click makes one of the usual size.</source>
+        <extracomment>%1 is a shape (&quot;Circle&quot;)</extracomment>
+        <translation>%1: von der Mitte nach außen ziehen; ein Klick setzt die übliche Größe.</translation>
+    </message>
+    <message>
+        <source>%1: drag outwards from its centre to cut it out of %2.</source>
+        <extracomment>%1 is a shape (&quot;Circle&quot;), %2 the name of a section</extracomment>
+        <translation>%1: von der Mitte nach außen ziehen, um es aus %2 auszuschneiden.</translation>
+    </message>
+    <message>
+        <source>Release to make it this size; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps both sides equal. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so groß; &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält beide Seiten gleich. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click to select %1. Drag to turn the view: you can&apos;t draw on a section seen edge-on.</source>
+        <translation>Ein Klick wählt %1. Ziehen dreht die Ansicht: Auf der Kante wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Drag to move the cut through the model; &lt;kbd&gt;Esc&lt;/kbd&gt; closes it.</source>
+        <translation>Ziehen, um den Schnitt durch das Modell zu bewegen; &lt;kbd&gt;Esc&lt;/kbd&gt; schließt ihn.</translation>
+    </message>
+    <message>
+        <source>Drag a round handle to move the start or the end of %1; click one section to select it.</source>
+        <translation>Runde Griffe verschieben Anfang und Ende von %1; ein Klick auf eine Scheibe wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move the start of %1; click to type it.</source>
+        <translation>Ziehen verschiebt den Anfang von %1; Klick, um ihn einzutippen.</translation>
+    </message>
+    <message>
+        <source>Click a place on a section to put %1 there. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Auf eine Stelle einer Scheibe klicken, um %1 dorthin zu setzen. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet es.</translation>
+    </message>
+    <message>
+        <source>Press on a section and drag in the direction of the push. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Auf eine Scheibe drücken und dorthin ziehen, wohin sie gedrückt wird. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Press on a section and drag to pull it and see what happens; nothing is kept.</source>
+        <translation>Auf eine Scheibe drücken und daran ziehen, nur um zu sehen, was geschieht.</translation>
+    </message>
+    <message>
+        <source>Drag the tip to turn the push; a longer arrow pushes harder.</source>
+        <translation>An der Spitze ziehen: sie zeigt, wohin gedrückt wird, ein längerer Pfeil drückt stärker.</translation>
+    </message>
+    <message>
+        <source>Release to put the weight here. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it back.</source>
+        <translation>Loslassen setzt das Gewicht hierher. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es zurück.</translation>
+    </message>
+    <message>
+        <source>No weight added: click on a section.</source>
+        <translation>Kein Gewicht hinzugefügt: auf eine Scheibe klicken.</translation>
+    </message>
+    <message>
+        <source>No push added: press on a section.</source>
+        <translation>Dort ist nichts zu drücken: auf eine Scheibe drücken.</translation>
+    </message>
+    <message>
+        <source>The copy of %1 carries it too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Die Kopie von %1 trägt es auch; unter &lt;i&gt;Eigenschaften&lt;/i&gt; lässt es sich auf diese Scheibe beschränken.</translation>
     </message>
     <message numerus="yes">
-        <source>%n copies of %1 carry it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
+        <source>%n copies of %1 carry it too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
         <translation>
             <numerusform>Die Kopie von %1 trägt es auch; unter &lt;i&gt;Eigenschaften&lt;/i&gt; lässt es sich auf diese Scheibe beschränken.</numerusform>
             <numerusform>%n Kopien von %1 tragen es auch; unter &lt;i&gt;Eigenschaften&lt;/i&gt; lässt es sich auf diese Scheibe beschränken.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Ebene und Ergebnis in der Leiste wählen; &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <source>The weight stays where it is: there it would be off %1.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Das Gewicht bleibt, wo es ist: Dort wäre es neben %1.</translation>
+    </message>
+    <message>
+        <source>The push stays where it is: there it would be off %1.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Der Druck bleibt, wo er ist: dort wäre er neben %1.</translation>
+    </message>
+    <message>
+        <source>Drag to draw a line on %1; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps it straight. Click to place text.</source>
+        <translation>Ziehen zeichnet eine Linie auf %1; &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält sie gerade. Klick setzt Text.</translation>
+    </message>
+    <message>
+        <source>Release to keep the line. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt die Linie so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing engraved: that is not on %1.</source>
+        <translation>Nichts graviert: Das liegt neben %1.</translation>
+    </message>
+    <message>
+        <source>The character “%1” cannot be engraved.</source>
+        <translation>Der Buchstabe „%1“ lässt sich nicht gravieren.</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Zum Messen von einem Ort zum anderen ziehen; &lt;kbd&gt;Strg&lt;/kbd&gt; fängt nichts. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Move to the second place. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Zum zweiten Ort gehen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click or drag to measure again. &lt;kbd&gt;Esc&lt;/kbd&gt; clears it.</source>
+        <translation>Klicken oder ziehen misst von neuem. &lt;kbd&gt;Esc&lt;/kbd&gt; nimmt die Länge weg.</translation>
+    </message>
+    <message>
+        <source>Type the length you want; &lt;kbd&gt;Enter&lt;/kbd&gt; scales the whole model. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Gewünschte Länge eintippen; &lt;kbd&gt;Eingabe&lt;/kbd&gt; skaliert das ganze Modell. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>The model cannot be scaled that far: %1 would go beyond its limits.</source>
+        <translation>So weit lässt sich das Modell nicht skalieren: %1 käme aus seinem Bereich.</translation>
+    </message>
+    <message>
+        <source>Release to start %1 here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
+        <translation>Loslassen: %1 beginnt hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to end %1 here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
+        <translation>Loslassen: %1 endet hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; puts the pen away.</source>
+        <translation>Aus einer Scheibe ziehen, um quer zu ihr zu zeichnen; hier ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
+    </message>
+    <message>
+        <source>Click to set the first point, drag to bend. &lt;kbd&gt;Esc&lt;/kbd&gt; puts the pen away.</source>
+        <translation>Klick setzt den ersten Punkt, Ziehen biegt. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
+    </message>
+    <message>
+        <source>Release to keep it like this. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Release to keep it like this. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes corners at its ends. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht Ecken an den Enden. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>The contour would cross itself here; it stays as it was just before.</source>
+        <translation>Hier würde sich die Kontur selbst kreuzen; sie bleibt, wie sie eben noch war.</translation>
+    </message>
+    <message>
+        <source>A hole would touch the edge or another hole here; it stays as it was just before.</source>
+        <translation>Hier würde ein Loch den Rand oder ein anderes berühren; es bleibt, wie es eben noch war.</translation>
+    </message>
+    <message>
+        <source>All of %1 would be cut off at the ground here; it stays as it was.</source>
+        <translation>Hier würde %1 am Boden ganz abgeschnitten; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Nothing deleted: a contour needs at least two points.</source>
+        <translation>Nichts gelöscht: Eine Kontur braucht mindestens zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Release to select everything that is completely inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen wählt alles aus, was ganz darin liegt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 keeps its angle to %2. Free it to turn it as you like.</source>
+        <translation>%1 behält ihren Winkel zu %2. Freigeben, um sie beliebig zu drehen.</translation>
+    </message>
+    <message>
+        <source>%1 is not on another section, so it has no angle to one.</source>
+        <translation>%1 sitzt auf keiner anderen Scheibe und hat daher keinen Winkel zu einer.</translation>
+    </message>
+    <message>
+        <source>Click the section to put %1 on. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Die Scheibe anklicken, auf die %1 gesetzt werden soll. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Leave the grey zone where the contour should start. Release here to cancel.</source>
+        <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour, mirrored across its slit. &lt;kbd&gt;Shift&lt;/kbd&gt; does the opposite.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; kehrt das Spiegeln um.</translation>
+    </message>
+    <message>
+        <source>%1 was mirrored; what crossed its axis and came back was left out.</source>
+        <translation>%1 wurde gespiegelt; was über die Achse und zurück lief, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Click the section to move or turn, or drag it. &lt;kbd&gt;Esc&lt;/kbd&gt; hides the handles.</source>
+        <translation>Auf die Scheibe klicken, die bewegt werden soll, oder sie ziehen. &lt;kbd&gt;Esc&lt;/kbd&gt; blendet die Griffe aus.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move, a ring to turn, a box to scale; or type numbers. &lt;kbd&gt;Esc&lt;/kbd&gt; hides the handles.</source>
+        <translation>Pfeil ziehen bewegt, Ring dreht, Kästchen skaliert; oder Zahlen tippen. &lt;kbd&gt;Esc&lt;/kbd&gt; blendet die Griffe aus.</translation>
+    </message>
+    <message>
+        <source>Release to keep it like this. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to leave a copy here. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt eine Kopie so da. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; keeps it like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; lässt es so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Move up to zoom in, down to zoom out; release to stop.</source>
+        <translation>Nach oben geht es näher heran, nach unten weiter weg; Loslassen beendet es.</translation>
+    </message>
+    <message>
+        <source>Nothing would be left of %1; it stays as it was.</source>
+        <translation>Hier bliebe nichts von %1 übrig; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>%1 fell apart when it was cut flat at the ground; the largest piece was kept.</source>
+        <translation>Am Boden eben abgeschnitten zerfiel %1; das größte Stück blieb.</translation>
     </message>
 </context>
 <context>
@@ -4542,24 +4594,12 @@
         <translation>Übergang</translation>
     </message>
     <message>
-        <source>Makes sections between others, which turn into one another.</source>
-        <translation>Macht Scheiben zwischen anderen, die ineinander übergehen.</translation>
-    </message>
-    <message>
         <source>Sections</source>
         <translation>Scheiben</translation>
     </message>
     <message>
-        <source>Click the sections to blend, in their order.</source>
-        <translation>Die Scheiben anklicken, die ineinander übergehen sollen, der Reihe nach.</translation>
-    </message>
-    <message>
         <source>Along</source>
         <translation>Entlang</translation>
-    </message>
-    <message>
-        <source>Click the section it shall run along.</source>
-        <translation>Die Scheibe anklicken, an der sie entlanglaufen soll.</translation>
     </message>
     <message>
         <source>Count</source>
@@ -4734,10 +4774,6 @@
         <translation>Verzweigung</translation>
     </message>
     <message>
-        <source>Puts a section with all that is on it in the place of its children, again and again.</source>
-        <translation>Setzt eine Scheibe mit allem, was daran hängt, an die Stelle ihrer Kinder, immer wieder.</translation>
-    </message>
-    <message>
         <source>Root</source>
         <translation>Wurzel</translation>
     </message>
@@ -4756,10 +4792,6 @@
     <message>
         <source>Children</source>
         <translation>Kinder</translation>
-    </message>
-    <message>
-        <source>Click those of its children whose place copies shall take.</source>
-        <translation>Die Kinder anklicken, deren Platz Kopien einnehmen sollen.</translation>
     </message>
     <message>
         <source>Grid</source>
@@ -4882,20 +4914,8 @@
         <translation>Rundform</translation>
     </message>
     <message>
-        <source>Makes a section a circle, a star or a gear, or puts such holes into it.</source>
-        <translation>Macht eine Scheibe zu Kreis, Stern oder Zahnrad oder setzt solche Löcher hinein.</translation>
-    </message>
-    <message>
         <source>Click the section to shape.</source>
         <translation>Die Scheibe anklicken, die geformt werden soll.</translation>
-    </message>
-    <message>
-        <source>Click the sections that it is about.</source>
-        <translation>Die Scheiben anklicken, um die es geht.</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
     </message>
     <message>
         <source>Whole model</source>
@@ -4908,10 +4928,6 @@
     <message>
         <source>Mirror</source>
         <translation>Spiegelung</translation>
-    </message>
-    <message>
-        <source>What is drawn on one side stands on the other side, too.</source>
-        <translation>Was auf einer Seite gezeichnet ist, steht auch auf der anderen.</translation>
     </message>
     <message>
         <source>Click the section to mirror across.</source>
@@ -4934,10 +4950,6 @@
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>What is drawn once stands all round an axis.</source>
-        <translation>Was einmal gezeichnet ist, steht rings um eine Achse.</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -4952,10 +4964,6 @@
     <message>
         <source>Slit</source>
         <translation>Schlitz</translation>
-    </message>
-    <message>
-        <source>Times</source>
-        <translation>Anzahl</translation>
     </message>
     <message>
         <source>Placing</source>
@@ -4976,10 +4984,6 @@
     <message>
         <source>Edges</source>
         <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>As much of each lies inside the other section</source>
-        <translation>Von jeder liegt gleich viel in der anderen Scheibe</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -5006,10 +5010,6 @@
         <translation>Linie</translation>
     </message>
     <message>
-        <source>With what is there already</source>
-        <translation>Mit dem, was schon da ist</translation>
-    </message>
-    <message>
         <source>Step X</source>
         <translation>Schritt X</translation>
     </message>
@@ -5033,19 +5033,111 @@
         <source>Click the sections to repeat.</source>
         <translation>Auf die Scheiben klicken, die wiederholt werden.</translation>
     </message>
+    <message>
+        <source>Including the sections that are there already</source>
+        <translation>Mit dem, was schon da ist</translation>
+    </message>
+    <message>
+        <source>%1 array</source>
+        <extracomment>%1 is the name of a section: &quot;Rib array&quot;</extracomment>
+        <translation>Anordnung %1</translation>
+    </message>
+    <message>
+        <source>Interpolates between sections.</source>
+        <translation>Bildet Übergänge zwischen Scheiben.</translation>
+    </message>
+    <message>
+        <source>%1 blend</source>
+        <extracomment>%1 is the name of a section: &quot;Rib blend&quot;</extracomment>
+        <translation>Übergang %1</translation>
+    </message>
+    <message>
+        <source>Click the sections to blend, in order.</source>
+        <translation>Die Scheiben anklicken, die ineinander übergehen sollen, der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>Click the section it should run along.</source>
+        <translation>Die Scheibe anklicken, an der sie entlanglaufen soll.</translation>
+    </message>
+    <message>
+        <source>Count per gap</source>
+        <translation>Anzahl je Lücke</translation>
+    </message>
+    <message>
+        <source>Grows copies of a section and all that is on it in place of its children, again and again.</source>
+        <translation>Setzt eine Scheibe mit allem, was daran hängt, an die Stelle ihrer Kinder, immer wieder.</translation>
+    </message>
+    <message>
+        <source>%1 branch</source>
+        <extracomment>%1 is the name of a section: &quot;Rib branch&quot;</extracomment>
+        <translation>Verzweigung %1</translation>
+    </message>
+    <message>
+        <source>Click the attached sections that copies should replace.</source>
+        <translation>Die anhängenden Scheiben anklicken, die Kopien ersetzen sollen.</translation>
+    </message>
+    <message>
+        <source>%1 grid</source>
+        <extracomment>%1 is the name of a section: &quot;Rib grid&quot;</extracomment>
+        <translation>Raster %1</translation>
+    </message>
+    <message>
+        <source>The same length of each copy lies inside the other section</source>
+        <translation>Von jeder liegt gleich viel in der anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>%1 row</source>
+        <extracomment>%1 is the name of a section: &quot;Rib row&quot;</extracomment>
+        <translation>Reihe %1</translation>
+    </message>
+    <message>
+        <source>%1 circle</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>%1 star</source>
+        <translation>Stern %1</translation>
+    </message>
+    <message>
+        <source>%1 holes</source>
+        <translation>Löcher %1</translation>
+    </message>
+    <message>
+        <source>%1 rosette</source>
+        <translation>Rosette %1</translation>
+    </message>
+    <message>
+        <source>%1 gear</source>
+        <translation>Zahnrad %1</translation>
+    </message>
+    <message>
+        <source>Turns a section into a circle, a star or a gear, or cuts such holes into it.</source>
+        <translation>Macht eine Scheibe zu Kreis, Stern oder Zahnrad oder setzt solche Löcher hinein.</translation>
+    </message>
+    <message>
+        <source>%1 fan</source>
+        <extracomment>%1 is the name of a section: &quot;Rib fan&quot;</extracomment>
+        <translation>Fächer %1</translation>
+    </message>
+    <message>
+        <source>Click the sections that it applies to.</source>
+        <translation>Die Scheiben anklicken, um die es geht.</translation>
+    </message>
+    <message>
+        <source>Applies to</source>
+        <translation>Gilt für</translation>
+    </message>
+    <message>
+        <source>Repeats everything drawn on one side on the other.</source>
+        <translation>Was auf einer Seite gezeichnet ist, steht auch auf der anderen.</translation>
+    </message>
+    <message>
+        <source>Repeats everything drawn once all round an axis.</source>
+        <translation>Was einmal gezeichnet ist, steht rings um eine Achse.</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>
-    <message>
-        <source>%1 makes nothing yet: choose what stands under &quot;%2&quot;.</source>
-        <extracomment>%1 is the name of an operation, %2 what it asks for: &quot;Along&quot;</extracomment>
-        <translation>%1 macht noch nichts: es fehlt, was unter „%2“ steht.</translation>
-    </message>
-    <message>
-        <source>%1 has lost its section &quot;%2&quot;, which was deleted. It makes nothing until another one is chosen.</source>
-        <extracomment>%1 is the name of an operation, %2 that of a section</extracomment>
-        <translation>%1 hat die Scheibe „%2“ verloren, die gelöscht wurde. Es macht nichts, bis eine andere gewählt ist.</translation>
-    </message>
     <message>
         <source>%1 makes nothing: its sections do not cross each other.</source>
         <extracomment>%1 is the name of an operation</extracomment>
@@ -5109,6 +5201,21 @@
         <extracomment>%1 is the name of an operation</extracomment>
         <translation>%1 ließ sich nicht berechnen: Scheiben davon fehlen.</translation>
     </message>
+    <message>
+        <source>%1 makes nothing yet: choose its “%2”.</source>
+        <extracomment>%1 is the name of an operation, %2 what it asks for: &quot;Along&quot;</extracomment>
+        <translation>%1 macht noch nichts: es fehlt, was unter „%2“ steht.</translation>
+    </message>
+    <message>
+        <source>%1 has lost its section “%2”, which was deleted. It makes nothing until another one is chosen.</source>
+        <extracomment>%1 is the name of an operation, %2 that of a section</extracomment>
+        <translation>%1 hat die Scheibe „%2“ verloren, die gelöscht wurde. Es macht nichts, bis eine andere gewählt ist.</translation>
+    </message>
+    <message>
+        <source>%1 has nothing to divide: the section fits into a single cell.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 hat nichts zu teilen: Die Scheibe passt in eine einzige Zelle.</translation>
+    </message>
 </context>
 <context>
     <name>QDockWidget</name>
@@ -5166,20 +5273,20 @@
         <translation>Angehalten: %1. Wird neu ermittelt, wenn sich das Modell ändert.</translation>
     </message>
     <message>
-        <source>Could not be worked out: %1. The reason: %2.</source>
-        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;, %2 a sentence</extracomment>
-        <translation>Nicht zu ermitteln: %1. Der Grund: %2.</translation>
-    </message>
-    <message>
         <source>whether it holds</source>
         <translation>ob es hält</translation>
     </message>
     <message>
-        <source>what it bears with sections that bend</source>
+        <source>Could not be worked out: %1. Reason: %2.</source>
+        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;, %2 a sentence</extracomment>
+        <translation>Nicht zu ermitteln: %1. Der Grund: %2.</translation>
+    </message>
+    <message>
+        <source>how much it holds when sections bend</source>
         <translation>was es mit biegsamen Scheiben trägt</translation>
     </message>
     <message>
-        <source>what each place of a section bears</source>
+        <source>how much each place of a section holds</source>
         <translation>was jede Stelle einer Scheibe trägt</translation>
     </message>
 </context>
@@ -5254,11 +5361,6 @@
         <source>%1 · %2: meeting point → %3&#x202f;%</source>
         <extracomment>%1 and %2 are the names of two sections, %3 a number</extracomment>
         <translation>%1 · %2: Treffpunkt → %3&#x202f;%</translation>
-    </message>
-    <message>
-        <source>%1 · %2: reset to automatic</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: wieder automatisch</translation>
     </message>
     <message>
         <source>%1 · %2: kind → cross lap</source>
@@ -5488,18 +5590,6 @@
         </translation>
     </message>
     <message>
-        <source>Hold %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 halten</translation>
-    </message>
-    <message numerus="yes">
-        <source>Hold %n sections</source>
-        <translation>
-            <numerusform>%n Scheibe halten</numerusform>
-            <numerusform>%n Scheiben halten</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Lock %1</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 sperren</translation>
@@ -5580,10 +5670,6 @@
             <numerusform>%n Scheiben auslassen</numerusform>
             <numerusform>%n Scheiben auslassen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Make a left out section again</source>
-        <translation>Ausgelassene Scheibe wieder machen</translation>
     </message>
     <message>
         <source>Cut %1</source>
@@ -5669,11 +5755,6 @@
         <translation>%1 einen Fuß geben</translation>
     </message>
     <message>
-        <source>Turn slits of %1 round</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Schlitze von %1 umdrehen</translation>
-    </message>
-    <message>
         <source>Move %1 by %2</source>
         <extracomment>%1 is the name of a section, %2 a length</extracomment>
         <translation>%1 um %2 verschieben</translation>
@@ -5743,33 +5824,14 @@
         <translation>%1 vom Rand hereinrücken</translation>
     </message>
     <message>
-        <source>Hang %1 on %2</source>
-        <extracomment>%1 is a mass, %2 the name of a section</extracomment>
-        <translation>%1 an %2 hängen</translation>
-    </message>
-    <message>
         <source>Move the weight on %1</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Gewicht an %1 verschieben</translation>
     </message>
     <message>
-        <source>Set a weight to %1</source>
-        <extracomment>%1 is a mass</extracomment>
-        <translation>Gewicht auf %1 setzen</translation>
-    </message>
-    <message>
-        <source>Remove a weight</source>
-        <translation>Gewicht entfernen</translation>
-    </message>
-    <message>
         <source>Make %1 %2 thick</source>
         <extracomment>%1 is the name of a stock, %2 a length</extracomment>
         <translation>%1 auf %2 Dicke ändern</translation>
-    </message>
-    <message>
-        <source>Call a weight %1</source>
-        <extracomment>%1 is a name</extracomment>
-        <translation>Ein Gewicht %1 nennen</translation>
     </message>
     <message>
         <source>Push %1</source>
@@ -5787,35 +5849,6 @@
         <translation>Druck auf %1 drehen</translation>
     </message>
     <message>
-        <source>Set a push to %1</source>
-        <extracomment>%1 is a force</extracomment>
-        <translation>Druck auf %1 setzen</translation>
-    </message>
-    <message>
-        <source>Call a push %1</source>
-        <extracomment>%1 is a name</extracomment>
-        <translation>Druck %1 nennen</translation>
-    </message>
-    <message>
-        <source>Remove a push</source>
-        <translation>Druck entfernen</translation>
-    </message>
-    <message>
-        <source>Spread what acts on %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Verteilen, was auf %1 wirkt</translation>
-    </message>
-    <message>
-        <source>Let copies of %1 carry what acts on it</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Kopien von %1 tragen, was darauf wirkt</translation>
-    </message>
-    <message>
-        <source>Let copies of %1 be without what acts on it</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Kopien von %1 ohne das, was darauf wirkt</translation>
-    </message>
-    <message>
         <source>Give %1 a second foot</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 einen zweiten Fuß geben</translation>
@@ -5829,6 +5862,80 @@
         <source>Set up cutting</source>
         <translation>Schneiden einrichten</translation>
     </message>
+    <message>
+        <source>Flip slits of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Schlitze von %1 umdrehen</translation>
+    </message>
+    <message>
+        <source>%1 · %2: restore automatic settings</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: wieder automatisch</translation>
+    </message>
+    <message>
+        <source>Put %1 on %2</source>
+        <extracomment>%1 is a mass, %2 the name of a section</extracomment>
+        <translation>%1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>Set weight to %1</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Gewicht auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Rename weight to %1</source>
+        <extracomment>%1 is a name</extracomment>
+        <translation>Ein Gewicht %1 nennen</translation>
+    </message>
+    <message>
+        <source>Remove weight</source>
+        <translation>Gewicht entfernen</translation>
+    </message>
+    <message>
+        <source>Set push to %1</source>
+        <extracomment>%1 is a force</extracomment>
+        <translation>Druck auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Rename push to %1</source>
+        <extracomment>%1 is a name</extracomment>
+        <translation>Druck %1 nennen</translation>
+    </message>
+    <message>
+        <source>Remove push</source>
+        <translation>Druck entfernen</translation>
+    </message>
+    <message>
+        <source>Spread the load on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Verteilen, was auf %1 wirkt</translation>
+    </message>
+    <message>
+        <source>Load the copies of %1 too</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kopien von %1 tragen, was darauf wirkt</translation>
+    </message>
+    <message>
+        <source>Keep the load off the copies of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kopien von %1 ohne das, was darauf wirkt</translation>
+    </message>
+    <message>
+        <source>Attach %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 anhängen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Attach %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe anhängen</numerusform>
+            <numerusform>%n Scheiben anhängen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bring a left-out section back</source>
+        <translation>Ausgelassene Scheibe wieder machen</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -5841,20 +5948,12 @@
 <context>
     <name>fff::cli</name>
     <message>
-        <source>There is no stock &quot;%1&quot;. Known are those of the file, Birch plywood and Acrylic.</source>
-        <translation>Das Material „%1“ gibt es nicht. Bekannt sind die der Datei, Birch plywood und Acrylic.</translation>
-    </message>
-    <message>
         <source>Usage: %1</source>
         <translation>Aufruf: %1</translation>
     </message>
     <message>
         <source>Shows this help.</source>
         <translation>Zeigt diese Hilfe.</translation>
-    </message>
-    <message>
-        <source>A file is missing.</source>
-        <translation>Eine Datei fehlt.</translation>
     </message>
     <message>
         <source>Too many files: %1</source>
@@ -5873,10 +5972,6 @@
         <translation>Ganze Breite, die die Maschine wegnimmt.</translation>
     </message>
     <message>
-        <source>Play added to slits; negative presses.</source>
-        <translation>Spiel, das Schlitze bekommen; negativ klemmt.</translation>
-    </message>
-    <message>
         <source>Size of a sheet, such as 600x400.</source>
         <translation>Größe einer Platte, etwa 600x400.</translation>
     </message>
@@ -5889,10 +5984,6 @@
         <translation>%1 × %2 mm</translation>
     </message>
     <message>
-        <source>Narrowest slit as drawn: %1 mm.</source>
-        <translation>Schmalster Schlitz, wie gezeichnet: %1 mm.</translation>
-    </message>
-    <message>
         <source>The file to write; - is standard output.</source>
         <translation>Die Datei, die geschrieben wird; - ist die Standardausgabe.</translation>
     </message>
@@ -5901,28 +5992,12 @@
         <translation>Lässt den 100-mm-Balken neben den Platten weg.</translation>
     </message>
     <message>
-        <source>-o is missing: the file to write.</source>
-        <translation>-o fehlt: die Datei, die geschrieben wird.</translation>
-    </message>
-    <message>
-        <source>For machines.</source>
-        <translation>Für Programme.</translation>
-    </message>
-    <message>
-        <source>Largest distance of the chords from the curves (0.01).</source>
-        <translation>Größter Abstand der Sehnen von den Kurven (0.01).</translation>
-    </message>
-    <message>
         <source>The model to start from; without it a new one.</source>
         <translation>Das Modell, mit dem begonnen wird; ohne Angabe ein neues.</translation>
     </message>
     <message>
         <source>--%1: found &quot;%2&quot;, expected a number from %3 to %4.</source>
         <translation>--%1: gefunden: „%2“, erwartet: eine Zahl von %3 bis %4.</translation>
-    </message>
-    <message>
-        <source>--%1 does not go with the stock %2, %3 mm thick.</source>
-        <translation>--%1 passt nicht zum Material %2, %3 mm dick.</translation>
     </message>
     <message>
         <source>--%1: found &quot;%2&quot;, expected a number from 0 to %3.</source>
@@ -5949,16 +6024,8 @@
         <translation>Zwischen benachbarten Schnitten (2).</translation>
     </message>
     <message>
-        <source>Quarter turns only, for sheets that have a grain.</source>
-        <translation>Nur Vierteldrehungen, für Platten mit Faserrichtung.</translation>
-    </message>
-    <message>
         <source>groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so on (groups).</source>
         <translation>groups: ein SVG mit einer Gruppe je Platte; files: OUT-1.svg, OUT-2.svg und so weiter (groups).</translation>
-    </message>
-    <message>
-        <source>%1 is of no kind that can be written; expected .png.</source>
-        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: .png.</translation>
     </message>
     <message>
         <source>--size: found &quot;%1&quot;, expected width x height in pixels up to %2, such as 1280x800.</source>
@@ -5985,14 +6052,6 @@
         <translation>Ein Bild braucht eine Anzeige mit OpenGL 3.3; es gibt keine.</translation>
     </message>
     <message>
-        <source>The picture could not be made a PNG file.</source>
-        <translation>Aus dem Bild ließ sich keine PNG-Datei machen.</translation>
-    </message>
-    <message>
-        <source>%1 is of no kind that can be written; expected .pdf or .png.</source>
-        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet war .pdf oder .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size gilt für .png; ein PDF hat die Größe seines Papiers.</translation>
     </message>
@@ -6013,32 +6072,8 @@
         <translation>Eine PDF-Datei mit allen Schritten (- ist die Standardausgabe), oder OUT.png für OUT-01.png, OUT-02.png und so weiter.</translation>
     </message>
     <message>
-        <source>a4 or letter (as is usual where you are).</source>
-        <translation>a4 oder letter (wie es am Ort üblich ist).</translation>
-    </message>
-    <message>
-        <source>Step %1: begin with part %2</source>
-        <translation>Schritt %1: mit Teil %2 beginnen</translation>
-    </message>
-    <message>
-        <source>Step %1: begin aside with part %2</source>
-        <translation>Schritt %1: daneben mit Teil %2 beginnen</translation>
-    </message>
-    <message>
         <source>Step %1: part %2</source>
         <translation>Schritt %1: Teil %2</translation>
-    </message>
-    <message>
-        <source>Step %1: parts %2 as one, which joins what steps %3 and %4 have put together</source>
-        <translation>Schritt %1: die Teile %2 zusammen; das verbindet, was mit den Schritten %3 und %4 zusammengesetzt ist</translation>
-    </message>
-    <message>
-        <source>For machines; steps are counted from 0.</source>
-        <translation>Für Programme; Schritte zählen ab 0.</translation>
-    </message>
-    <message>
-        <source>--thickness %1 leaves no slit in the stock %2: its clearance is %3 mm.</source>
-        <translation>--thickness %1 lässt im Material %2 keinen Schlitz: Sein Spiel ist %3 mm.</translation>
     </message>
     <message>
         <source>-o: a file needs a name.</source>
@@ -6063,18 +6098,6 @@
     <message>
         <source>; </source>
         <translation>, </translation>
-    </message>
-    <message>
-        <source>%1, where the file&apos;s name does not tell.</source>
-        <translation>%1, wo der Dateiname es nicht sagt.</translation>
-    </message>
-    <message>
-        <source>With -o - the kind is missing: --format %1.</source>
-        <translation>Bei -o - fehlt die Art: --format %1.</translation>
-    </message>
-    <message>
-        <source>%1 is of no kind that can be written; expected %2.</source>
-        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: %2.</translation>
     </message>
     <message>
         <source>Sections: %1</source>
@@ -6117,16 +6140,8 @@
         <translation>, Verbindungen %1</translation>
     </message>
     <message>
-        <source>Nothing to cut: the model has no section.</source>
-        <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
-    </message>
-    <message>
         <source>Nothing to cut: the slits leave nothing of any section.</source>
         <translation>Nichts zu schneiden: Die Schlitze lassen von keiner Scheibe etwas übrig.</translation>
-    </message>
-    <message>
-        <source>Older sheets are still there: %1</source>
-        <translation>Ältere Platten sind noch da: %1</translation>
     </message>
     <message>
         <source>The model has no operations.</source>
@@ -6141,21 +6156,12 @@
         <translation>aus</translation>
     </message>
     <message>
-        <source>a piece of %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>ein Stück von %1</translation>
-    </message>
-    <message>
         <source>Stands.</source>
         <translation>Steht.</translation>
     </message>
     <message>
         <source>Falls over.</source>
         <translation>Fällt um.</translation>
-    </message>
-    <message>
-        <source>Stands on a line only: it falls to either side.</source>
-        <translation>Steht nur auf einer Linie: fällt zur einen oder anderen Seite.</translation>
     </message>
     <message>
         <source>A part of it has nothing to stand on.</source>
@@ -6168,10 +6174,6 @@
     <message>
         <source>Slides away over the ground.</source>
         <translation>Rutscht auf dem Boden weg.</translation>
-    </message>
-    <message>
-        <source>Moves within itself.</source>
-        <translation>Ist in sich beweglich.</translation>
     </message>
     <message>
         <source>Holds.</source>
@@ -6190,10 +6192,6 @@
         <translation>Eine Verbindung wird auseinandergezogen.</translation>
     </message>
     <message>
-        <source>What does not stand still is not looked at for strength.</source>
-        <translation>Was nicht stillsteht, wird nicht auf Festigkeit geprüft.</translation>
-    </message>
-    <message>
         <source>Not rated: the strength of a stock is not known.</source>
         <translation>Nicht bewertet: Die Festigkeit eines Materials ist nicht bekannt.</translation>
     </message>
@@ -6207,39 +6205,12 @@
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Joint %1–%2 is pulled open with %3 N: glue it, or turn its slits round.</source>
-        <translation>Die Verbindung %1–%2 wird mit %3 N auseinandergezogen: kleben oder die Schlitze umdrehen.</translation>
-    </message>
-    <message>
-        <source>Joints share what they bear in more than one way (indeterminate, %1): the worst of several ways counts.</source>
-        <translation>Die Verbindungen können die Last auf mehr als eine Weise tragen (unbestimmt, %1): Die schlimmste von mehreren zählt.</translation>
     </message>
     <message>
         <source>The stress in %1 could not be worked out.</source>
         <translation>Die Spannung in %1 konnte nicht ermittelt werden.</translation>
-    </message>
-    <message>
-        <source>%1 is not rated: no strength is known of its stock.</source>
-        <translation>%1 ist nicht bewertet: Die Festigkeit des Materials ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>A weight of %1 is on no material of %2; the nearest part of it bears it.</source>
-        <translation>Ein Gewicht von %1 liegt auf keinem Material von %2; die nächste Stelle trägt es.</translation>
-    </message>
-    <message>
-        <source>Weakest in %1: %2 of what its stock bears in the neck, %3 in the corner.</source>
-        <translation>Am schwächsten in %1: im Hals %2 dessen, was das Material trägt, in der Ecke %3.</translation>
-    </message>
-    <message>
-        <source>Weighs %1 N with all that hangs on it.</source>
-        <translation>Wiegt mit allem, was daran hängt, %1 N.</translation>
-    </message>
-    <message>
-        <source>Hang a weight on a section, at its middle or at X,Y in mm: &quot;Rib 4=350g&quot;, &quot;Rib 4@10,25=0.35kg&quot;. As often as you like.</source>
-        <translation>Hängt ein Gewicht an eine Scheibe, in ihre Mitte oder bei X,Y in mm: „Rib 4=350g“, „Rib 4@10,25=0.35kg“. Beliebig oft.</translation>
     </message>
     <message>
         <source>--weight %1: expected NAME=MASS, as in &quot;Rib 4=350g&quot;.</source>
@@ -6258,44 +6229,12 @@
         <translation>--weight %1: Schlitze lassen von „%2“ nichts übrig.</translation>
     </message>
     <message>
-        <source>%1 could not be worked out as a sheet that bends, and is taken for rigid.</source>
-        <translation>%1 ließ sich nicht als Platte berechnen, die sich biegt, und gilt als starr.</translation>
-    </message>
-    <message>
-        <source>How sections bend could not be worked out; they are taken for rigid.</source>
-        <translation>Wie sich die Scheiben biegen, konnte nicht ermittelt werden; sie gelten als starr.</translation>
-    </message>
-    <message>
-        <source>--show: found &quot;%1&quot;, expected labels, checks, stress, forces, or several with commas.</source>
-        <translation>--show: „%1“ gefunden, erwartet labels, checks, stress, forces oder mehrere mit Komma.</translation>
-    </message>
-    <message>
-        <source>%1: no forces are shown, as it does not stand, or they could not be worked out. &quot;check&quot; says why.</source>
-        <translation>%1: Es werden keine Kräfte gezeigt, denn es steht nicht, oder sie konnten nicht ermittelt werden. „check“ sagt, warum.</translation>
-    </message>
-    <message>
-        <source>labels: the sections&apos; names; checks: outlines what has a problem; stress: the weakest cross-sections; forces: what feet and joints bear.</source>
-        <translation>labels: die Namen der Teile; checks: umrandet, was ein Problem hat; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen.</translation>
-    </message>
-    <message>
-        <source>A push of %1 N is on no material of %2; the nearest part of it bears it.</source>
-        <translation>Ein Druck von %1 N trifft kein Material von %2; das nächste Stück davon trägt ihn.</translation>
-    </message>
-    <message>
         <source>%1 in all</source>
         <translation>%1 insgesamt</translation>
     </message>
     <message>
         <source>%1 N in all</source>
         <translation>%1 N insgesamt</translation>
-    </message>
-    <message>
-        <source>%1 times what acts on it</source>
-        <translation>dem %1-fachen der Last</translation>
-    </message>
-    <message>
-        <source>Bends %1 mm, %2 most.</source>
-        <translation>Biegt sich um %1 mm, am meisten %2.</translation>
     </message>
     <message>
         <source>May crack from %1.</source>
@@ -6308,6 +6247,184 @@
     <message>
         <source>Stress by finite elements, in colours all over the sections; takes seconds.</source>
         <translation>Spannung mit finiten Elementen, farbig über die ganzen Scheiben; dauert Sekunden.</translation>
+    </message>
+    <message>
+        <source>There is no stock &quot;%1&quot;. Choose one from the file, Birch plywood or Acrylic.</source>
+        <translation>Das Material „%1“ gibt es nicht. Bekannt sind die der Datei, Birch plywood und Acrylic.</translation>
+    </message>
+    <message>
+        <source>--thickness %1 leaves no room for slits in the stock %2: its clearance is %3 mm.</source>
+        <translation>--thickness %1 lässt im Material %2 keinen Schlitz: Sein Spiel ist %3 mm.</translation>
+    </message>
+    <message>
+        <source>--%1 does not fit the stock %2, which is %3 mm thick.</source>
+        <translation>--%1 passt nicht zum Material %2, %3 mm dick.</translation>
+    </message>
+    <message>
+        <source>No file was given.</source>
+        <translation>Eine Datei fehlt.</translation>
+    </message>
+    <message>
+        <source>Play added to slits; less than 0 for a press fit.</source>
+        <translation>Spiel, das Schlitze bekommen; negativ klemmt.</translation>
+    </message>
+    <message>
+        <source>Says of each thing in the file that was corrected where.</source>
+        <translation>Sagt zu allem, was in der Datei berichtigt wurde, an welcher Stelle.</translation>
+    </message>
+    <message>
+        <source>Step %1: start with part %2</source>
+        <translation>Schritt %1: mit Teil %2 beginnen</translation>
+    </message>
+    <message>
+        <source>Step %1: start a group of its own with part %2</source>
+        <translation>Schritt %1: daneben mit Teil %2 beginnen</translation>
+    </message>
+    <message>
+        <source>Step %1: parts %2 as one, joining what steps %3 and %4 have put together</source>
+        <translation>Schritt %1: die Teile %2 zusammen; das verbindet, was mit den Schritten %3 und %4 zusammengesetzt ist</translation>
+    </message>
+    <message>
+        <source>a part of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>ein Teil von %1</translation>
+    </message>
+    <message>
+        <source>Nothing to cut: the model has no sections.</source>
+        <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Slits are drawn %1 mm wide.</source>
+        <translation>Schlitze sind %1 mm breit gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Slits are drawn %1 mm wide (%2 − %3 kerf).</source>
+        <extracomment>%2 is the width that is wanted, which is larger by the kerf %3</extracomment>
+        <translation>Schlitze sind %1 mm breit gezeichnet (%2 − %3 Schnittfuge).</translation>
+    </message>
+    <message>
+        <source>Sheets of an earlier export are still there: %1</source>
+        <translation>Platten einer früheren Ausgabe sind noch da: %1</translation>
+    </message>
+    <message>
+        <source>%1; needed if the file&apos;s name does not tell.</source>
+        <translation>%1, wo der Dateiname es nicht sagt.</translation>
+    </message>
+    <message>
+        <source>Quarter turns only, for sheets with a grain.</source>
+        <translation>Nur Vierteldrehungen, für Platten mit Faserrichtung.</translation>
+    </message>
+    <message>
+        <source>-o is missing: give the file to write.</source>
+        <translation>-o fehlt: die Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>With -o - the format is missing: --format %1.</source>
+        <translation>Bei -o - fehlt die Art: --format %1.</translation>
+    </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected %2.</source>
+        <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>Stands on a single line: it falls to either side.</source>
+        <translation>Steht nur auf einer Linie: fällt zur einen oder anderen Seite.</translation>
+    </message>
+    <message>
+        <source>Its parts move against each other.</source>
+        <translation>Ist in sich beweglich.</translation>
+    </message>
+    <message>
+        <source>Strength is worked out only for what stands still.</source>
+        <translation>Was nicht stillsteht, wird nicht auf Festigkeit geprüft.</translation>
+    </message>
+    <message>
+        <source>Joint %1–%2 is pulled open with %3 N: glue it, or flip its slits.</source>
+        <translation>Die Verbindung %1–%2 wird mit %3 N auseinandergezogen: kleben oder die Schlitze umdrehen.</translation>
+    </message>
+    <message>
+        <source>How %1 bends could not be worked out; it is treated as rigid.</source>
+        <translation>%1 ließ sich nicht als Platte berechnen, die sich biegt, und gilt als starr.</translation>
+    </message>
+    <message>
+        <source>How sections bend could not be worked out; they are treated as rigid.</source>
+        <translation>Wie sich die Scheiben biegen, konnte nicht ermittelt werden; sie gelten als starr.</translation>
+    </message>
+    <message>
+        <source>Joints can share the load in more than one way (indeterminate, %1); the worst way counts.</source>
+        <translation>Die Verbindungen können die Last auf mehr als eine Weise tragen (unbestimmt, %1): Die schlimmste von mehreren zählt.</translation>
+    </message>
+    <message>
+        <source>%1 is not rated: the strength of its stock is not known.</source>
+        <translation>%1 ist nicht bewertet: Die Festigkeit des Materials ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A push of %1 N misses the material of %2; the nearest place takes it.</source>
+        <translation>Ein Druck von %1 N trifft kein Material von %2; das nächste Stück davon trägt ihn.</translation>
+    </message>
+    <message>
+        <source>A weight of %1 misses the material of %2; the nearest place takes it.</source>
+        <translation>Ein Gewicht von %1 liegt auf keinem Material von %2; die nächste Stelle trägt es.</translation>
+    </message>
+    <message>
+        <source>%1 times the load</source>
+        <translation>dem %1-fachen der Last</translation>
+    </message>
+    <message>
+        <source>Weakest in %1: %2 of its stock&apos;s strength in the neck, %3 in the corner.</source>
+        <translation>Am schwächsten in %1: im Hals %2 dessen, was das Material trägt, in der Ecke %3.</translation>
+    </message>
+    <message>
+        <source>Bends %1 mm, most of all %2.</source>
+        <translation>Biegt sich um %1 mm, am meisten %2.</translation>
+    </message>
+    <message>
+        <source>Weighs %1 N with everything on it.</source>
+        <translation>Wiegt mit allem, was darauf ist, %1 N.</translation>
+    </message>
+    <message>
+        <source>Prints JSON, for other programs.</source>
+        <translation>Gibt JSON aus, für andere Programme.</translation>
+    </message>
+    <message>
+        <source>Prints JSON, for other programs; steps are counted from 0.</source>
+        <translation>Gibt JSON aus, für andere Programme; Schritte werden ab 0 gezählt.</translation>
+    </message>
+    <message>
+        <source>Largest distance between chords and curves (0.01).</source>
+        <translation>Größter Abstand der Sehnen von den Kurven (0.01).</translation>
+    </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .png.</source>
+        <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: .png.</translation>
+    </message>
+    <message>
+        <source>--show: found &quot;%1&quot;, expected labels, checks, stress, forces, or several separated by commas.</source>
+        <translation>--show: „%1“ gefunden, erwartet labels, checks, stress, forces oder mehrere mit Komma.</translation>
+    </message>
+    <message>
+        <source>%1: no forces are shown; it does not stand, or they could not be worked out. &quot;check&quot; says why.</source>
+        <translation>%1: Es werden keine Kräfte gezeigt, denn es steht nicht, oder sie konnten nicht ermittelt werden. „check“ sagt, warum.</translation>
+    </message>
+    <message>
+        <source>labels: the sections&apos; names; checks: outlines sections with a problem; stress: the weakest cross-sections; forces: what feet and joints carry.</source>
+        <translation>labels: die Namen der Scheiben; checks: umrandet Scheiben mit einem Problem; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written as a PNG file.</source>
+        <translation>Aus dem Bild ließ sich keine PNG-Datei machen.</translation>
+    </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
+        <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: .pdf oder .png.</translation>
+    </message>
+    <message>
+        <source>a4 or letter (by default as is usual in your country).</source>
+        <translation>a4 oder letter (wie es am Ort üblich ist).</translation>
+    </message>
+    <message>
+        <source>Puts a weight on a section, in its middle or at X,Y in mm: &quot;Rib 4=350g&quot;, &quot;Rib 4@10,25=0.35kg&quot;. Can be repeated.</source>
+        <translation>Setzt ein Gewicht auf eine Scheibe, in ihre Mitte oder bei X,Y in mm: „Rib 4=350g“, „Rib 4@10,25=0.35kg“. Beliebig oft.</translation>
     </message>
 </context>
 <context>
@@ -6509,12 +6626,12 @@
 <context>
     <name>fff::ui::BearingMarks</name>
     <message>
-        <source>Bears</source>
-        <translation>Trägt</translation>
-    </message>
-    <message>
         <source>Without bending</source>
         <translation>Ohne Biegung</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Hält</translation>
     </message>
 </context>
 <context>
@@ -6665,20 +6782,8 @@
         <translation>Noch gibt es keine Scheibe zu prüfen.</translation>
     </message>
     <message>
-        <source>There is no problem.</source>
-        <translation>Es gibt kein Problem.</translation>
-    </message>
-    <message>
-        <source>Still checking; no problem so far.</source>
-        <translation>Wird noch geprüft; bisher kein Problem.</translation>
-    </message>
-    <message>
         <source>Problem %1 of %2: %3.</source>
         <translation>Problem %1 von %2: %3.</translation>
-    </message>
-    <message>
-        <source>The model has changed; that cannot be done any more.</source>
-        <translation>Das Modell hat sich geändert; das geht nicht mehr.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -6687,10 +6792,6 @@
     <message>
         <source>Checking…</source>
         <translation>Wird geprüft …</translation>
-    </message>
-    <message>
-        <source>Still checking. It is done as soon as that is known.</source>
-        <translation>Es wird noch geprüft. Es geschieht, sobald das bekannt ist.</translation>
     </message>
     <message numerus="yes">
         <source>%1 in %n places</source>
@@ -6705,34 +6806,50 @@
         <extracomment>%1 of %2 places, and the sentence about that one</extracomment>
         <translation>%1 von %2: %3</translation>
     </message>
+    <message>
+        <source>No problems.</source>
+        <translation>Es gibt kein Problem.</translation>
+    </message>
+    <message>
+        <source>Still checking; no problems so far.</source>
+        <translation>Wird noch geprüft; bisher kein Problem.</translation>
+    </message>
+    <message>
+        <source>Still checking. This will be done as soon as the result is known.</source>
+        <translation>Es wird noch geprüft. Es geschieht, sobald das bekannt ist.</translation>
+    </message>
+    <message>
+        <source>The model has changed; this can no longer be done.</source>
+        <translation>Das Modell hat sich geändert; das geht nicht mehr.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::CommandSearch</name>
     <message>
-        <source>Find an action</source>
-        <translation>Befehl suchen</translation>
-    </message>
-    <message>
         <source>Type what you want to do</source>
         <translation>Eintippen, was geschehen soll</translation>
-    </message>
-    <message>
-        <source>Actions that fit</source>
-        <translation>Passende Befehle</translation>
-    </message>
-    <message>
-        <source>Nothing here is called so</source>
-        <translation>So heißt hier nichts</translation>
-    </message>
-    <message>
-        <source>Try another word for it</source>
-        <translation>Ein anderes Wort dafür versuchen</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>why</comment>
         <extracomment>where an action is in the menus, and why it cannot be done now</extracomment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Matching commands</source>
+        <translation>Passende Befehle</translation>
+    </message>
+    <message>
+        <source>No matching commands</source>
+        <translation>Kein passender Befehl</translation>
+    </message>
+    <message>
+        <source>Try another word</source>
+        <translation>Ein anderes Wort dafür versuchen</translation>
     </message>
 </context>
 <context>
@@ -6747,12 +6864,12 @@
         <translation>Maß %1</translation>
     </message>
     <message>
-        <source>Another length here scales the whole model</source>
-        <translation>Eine andere Länge hier skaliert das ganze Modell</translation>
-    </message>
-    <message>
         <source>Delete this dimension</source>
         <translation>Dieses Maß löschen</translation>
+    </message>
+    <message>
+        <source>Changing this length scales the whole model</source>
+        <translation>Eine andere Länge hier skaliert das ganze Modell</translation>
     </message>
 </context>
 <context>
@@ -6834,16 +6951,8 @@
         <translation>%1 wurde von einem anderen Programm geändert.</translation>
     </message>
     <message>
-        <source>Saving over it would lose what was changed there.</source>
-        <translation>Darüber zu speichern verlöre, was dort geändert wurde.</translation>
-    </message>
-    <message>
         <source>Save as…</source>
         <translation>Speichern unter …</translation>
-    </message>
-    <message>
-        <source>Save over it</source>
-        <translation>Darüber speichern</translation>
     </message>
     <message>
         <source>Insert a model</source>
@@ -6857,6 +6966,14 @@
         <source>Import a drawing</source>
         <translation>Zeichnung einlesen</translation>
     </message>
+    <message>
+        <source>Overwriting it would lose those changes.</source>
+        <translation>Überschreiben verlöre diese Änderungen.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrawingGroup</name>
@@ -6869,40 +6986,8 @@
         <translation>Lokale Symmetrie</translation>
     </message>
     <message>
-        <source>Mirror a contour across its slit when it is drawn on one side of it. Shift switches that over while you draw.</source>
-        <translation>Eine Kontur an ihrem Schlitz spiegeln, wenn sie auf einer Seite davon gezeichnet wird. Umschalt kehrt das beim Zeichnen um.</translation>
-    </message>
-    <message>
-        <source>First section too</source>
-        <translation>Auch die erste</translation>
-    </message>
-    <message>
-        <source>Mirror the first section across the vertical through its start</source>
-        <translation>Die erste Scheibe an der Senkrechten durch ihren Anfang spiegeln</translation>
-    </message>
-    <message>
-        <source>Flat at ground</source>
-        <translation>Am Boden eben</translation>
-    </message>
-    <message>
-        <source>Cut off what is drawn below the ground</source>
-        <translation>Abschneiden, was unter dem Boden gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>Turn to</source>
-        <translation>Drehen auf</translation>
-    </message>
-    <message>
-        <source>At 90° you look straight at the new plane; with less, the section that you started on stays to be seen</source>
-        <translation>Bei 90° blickt man gerade auf die neue Ebene; mit weniger bleibt die Scheibe zu sehen, auf der man begonnen hat</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>Turn time</source>
-        <translation>Drehzeit</translation>
     </message>
     <message>
         <source>How long the view takes to turn to the plane of a new section</source>
@@ -6917,8 +7002,40 @@
         <translation>Einrasten</translation>
     </message>
     <message>
-        <source>Draw points to others, to lines level and upright with them, to the ground and to the grid</source>
-        <translation>Zieht Punkte zu anderen, zu Linien waagerecht und senkrecht mit ihnen, zum Boden und zum Raster</translation>
+        <source>Mirror a contour across its slit when it is drawn on one side of it. Shift does the opposite while you draw.</source>
+        <translation>Eine Kontur an ihrem Schlitz spiegeln, wenn sie auf einer Seite davon gezeichnet wird. Umschalt kehrt das beim Zeichnen um.</translation>
+    </message>
+    <message>
+        <source>Mirror the first</source>
+        <translation>Erste spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror the first section too, across the vertical through its start</source>
+        <translation>Auch die erste Scheibe spiegeln, an der Senkrechten durch ihren Anfang</translation>
+    </message>
+    <message>
+        <source>Cut at ground</source>
+        <translation>Am Boden gerade</translation>
+    </message>
+    <message>
+        <source>Cut flat at the ground: leave out what is drawn below it</source>
+        <translation>Am Boden gerade abschneiden: Was darunter gezeichnet ist, fällt weg</translation>
+    </message>
+    <message>
+        <source>Snap to points, alignment lines, ground and grid</source>
+        <translation>An Punkten, Hilfslinien, Boden und Raster einrasten</translation>
+    </message>
+    <message>
+        <source>View turns by</source>
+        <translation>Ansicht dreht um</translation>
+    </message>
+    <message>
+        <source>At 90° you look straight at the new plane; with less, the section that you started on stays visible</source>
+        <translation>Bei 90° blickt man gerade auf die neue Ebene; mit weniger bleibt die Scheibe zu sehen, auf der man begonnen hat</translation>
+    </message>
+    <message>
+        <source>Turning time</source>
+        <translation>Drehdauer</translation>
     </message>
 </context>
 <context>
@@ -7103,10 +7220,6 @@
         <translation>Die ganze Platte zeigen</translation>
     </message>
     <message>
-        <source>Solids have no sheets: the file has the model as it stands, in true size, with its slits.</source>
-        <translation>Körper haben keine Platten: Die Datei enthält das Modell, wie es steht, in wahrer Größe, mit seinen Schlitzen.</translation>
-    </message>
-    <message>
         <source>Sheet %1 · %2 · %3</source>
         <extracomment>%1 is the number of a sheet, %2 the name of a stock, %3 the sheet&apos;s size</extracomment>
         <translation>Platte %1 · %2 · %3</translation>
@@ -7120,9 +7233,13 @@
         <translation>Wird berechnet …</translation>
     </message>
     <message>
-        <source>Packed: %1</source>
+        <source>Solids have no sheets: the file holds the model as it stands, true to size, with its slits.</source>
+        <translation>Körper haben keine Platten: Die Datei enthält das Modell, wie es steht, in wahrer Größe, mit seinen Schlitzen.</translation>
+    </message>
+    <message>
+        <source>Filled: %1</source>
         <extracomment>%1 is a number with a percent sign</extracomment>
-        <translation>Belegt: %1</translation>
+        <translation>Ausnutzung: %1</translation>
     </message>
 </context>
 <context>
@@ -7138,10 +7255,6 @@
     <message>
         <source>Measured thickness</source>
         <translation>Gemessene Dicke</translation>
-    </message>
-    <message>
-        <source>Of the sheet that you will cut, by calipers: slits are drawn to fit it.</source>
-        <translation>Der Platte, die geschnitten wird, mit dem Messschieber: Die Schlitze werden dafür gezeichnet.</translation>
     </message>
     <message>
         <source>Which sheet?</source>
@@ -7167,6 +7280,10 @@
     <message>
         <source>Own size</source>
         <translation>Eigenes Maß</translation>
+    </message>
+    <message>
+        <source>Measure the sheet that you will cut with calipers: slits are drawn to fit it.</source>
+        <translation>Die Platte, die geschnitten wird, mit dem Messschieber messen: Die Schlitze werden dafür gezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -7224,27 +7341,27 @@
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>As it suits</source>
-        <translation>Wie es passt</translation>
-    </message>
-    <message>
-        <source>By quarter turns</source>
-        <translation>Um Vierteldrehungen</translation>
-    </message>
-    <message>
-        <source>By quarter turns where the sheet has a grain</source>
-        <translation>Um Vierteldrehungen, wo die Platte eine Maserung hat</translation>
-    </message>
-    <message>
         <source>100 mm, below the sheets</source>
         <translation>100 mm, unter den Platten</translation>
     </message>
     <message>
-        <source>Bar to measure</source>
-        <translation>Balken zum Messen</translation>
+        <source>Any angle</source>
+        <translation>Beliebig</translation>
     </message>
     <message>
-        <source>Drawn beside the sheets, not cut: measure it on your machine to be sure of the size</source>
+        <source>Quarter turns</source>
+        <translation>Vierteldrehungen</translation>
+    </message>
+    <message>
+        <source>Quarter turns for a sheet with a grain</source>
+        <translation>Vierteldrehungen bei Platten mit Maserung</translation>
+    </message>
+    <message>
+        <source>Measuring bar</source>
+        <translation>Messbalken</translation>
+    </message>
+    <message>
+        <source>Drawn beside the sheets, not cut: measure it on your machine to check the size</source>
         <translation>Neben die Platten gezeichnet, nicht geschnitten: An der Maschine nachmessen, um der Größe sicher zu sein</translation>
     </message>
 </context>
@@ -7320,12 +7437,16 @@
         <translation>%1 hat ein Loch oder eine Kerbe, schmaler als die Schnittfuge; sie werden nicht geschnitten.</translation>
     </message>
     <message>
-        <source>Older sheets are still there: %1.</source>
-        <translation>Ältere Platten sind noch da: %1.</translation>
-    </message>
-    <message>
         <source>The slits of %1 leave nothing of it. It is not cut.</source>
         <translation>Die Schlitze von %1 lassen nichts davon übrig. Es wird nicht geschnitten.</translation>
+    </message>
+    <message>
+        <source>Exported %1 on %2 to %3; slits are drawn %4 wide (%5 − %6 kerf).</source>
+        <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4 breit gezeichnet (%5 − %6 Schnittfuge).</translation>
+    </message>
+    <message>
+        <source>Sheets of an earlier export are still there: %1.</source>
+        <translation>Platten einer früheren Ausgabe sind noch da: %1.</translation>
     </message>
 </context>
 <context>
@@ -7337,10 +7458,6 @@
     <message>
         <source>“%1” cannot be read here.</source>
         <translation>„%1“ kann hier nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>Something is missing behind “%1”.</source>
-        <translation>Hinter „%1“ fehlt etwas.</translation>
     </message>
     <message>
         <source>A parenthesis is not closed.</source>
@@ -7355,20 +7472,24 @@
         <translation>Durch 0 kann nicht geteilt werden.</translation>
     </message>
     <message>
-        <source>This makes no length; multiply a length by a plain number.</source>
+        <source>Something is missing after “%1”.</source>
+        <translation>Hinter „%1“ fehlt etwas.</translation>
+    </message>
+    <message>
+        <source>There is no value named “%1”.</source>
+        <translation>Keinen Wert mit Namen „%1“ gibt es.</translation>
+    </message>
+    <message>
+        <source>This is not a length; multiply a length by a plain number.</source>
         <translation>Das ergibt keine Länge; eine Länge wird mit einer bloßen Zahl malgenommen.</translation>
     </message>
     <message>
-        <source>“t” is the thickness of the stock; there is not one stock here.</source>
-        <translation>„t“ ist die Dicke des Materials; hier gibt es nicht ein einziges.</translation>
-    </message>
-    <message>
-        <source>No number is called “%1”.</source>
-        <translation>Keine Zahl heißt „%1“.</translation>
-    </message>
-    <message>
-        <source>This makes no mass; multiply a mass by a plain number.</source>
+        <source>This is not a mass; multiply a mass by a plain number.</source>
         <translation>Das ergibt keine Masse; eine Masse wird mit einer einfachen Zahl malgenommen.</translation>
+    </message>
+    <message>
+        <source>“t” is the thickness of the stock; there is no single stock here.</source>
+        <translation>„t“ ist die Dicke des Materials; hier gibt es nicht ein einziges.</translation>
     </message>
 </context>
 <context>
@@ -7441,14 +7562,6 @@
         <translation>Von Hand gezeichnet</translation>
     </message>
     <message>
-        <source>Move one of its points, and it is</source>
-        <translation>Einen ihrer Punkte verschieben, dann ist sie es</translation>
-    </message>
-    <message>
-        <source>Of its middle, in the coordinates of the section</source>
-        <translation>Von seiner Mitte, in den Koordinaten der Scheibe</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
@@ -7468,6 +7581,14 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Moving one of its points makes it so</source>
+        <translation>Einen ihrer Punkte verschieben, dann ist sie es</translation>
+    </message>
+    <message>
+        <source>Its centre, in the coordinates of the section</source>
+        <translation>Von seiner Mitte, in den Koordinaten der Scheibe</translation>
     </message>
 </context>
 <context>
@@ -7589,15 +7710,6 @@
 <context>
     <name>fff::ui::InputRow</name>
     <message>
-        <source>Take it out</source>
-        <translation>Herausnehmen</translation>
-    </message>
-    <message>
-        <source>%1 (gone)</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 (fehlt)</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Auswählen …</translation>
     </message>
@@ -7607,8 +7719,17 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Delete takes a section out, drag or Alt with an arrow key changes the order.</source>
+        <source>Delete removes a section; drag, or Alt with an arrow key, changes the order.</source>
         <translation>Entf nimmt eine Scheibe heraus, Ziehen oder Alt mit Pfeiltaste ändert die Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>%1 (deleted)</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 (fehlt)</translation>
     </message>
 </context>
 <context>
@@ -7626,10 +7747,6 @@
         <translation>Abbild von</translation>
     </message>
     <message>
-        <source>What is done to one of them is done to all</source>
-        <translation>Was mit einer geschieht, geschieht mit allen</translation>
-    </message>
-    <message>
         <source>Leave this one out</source>
         <translation>Diese auslassen</translation>
     </message>
@@ -7638,16 +7755,20 @@
         <translation>Lösen</translation>
     </message>
     <message>
-        <source>Make a drawn section of this one; its operation makes the others</source>
-        <translation>Aus dieser eine gezeichnete Scheibe machen; die anderen macht die Operation</translation>
-    </message>
-    <message>
         <source>Made from</source>
         <translation>Gemacht aus</translation>
     </message>
     <message>
-        <source>Draw it anew, and all that is made from it follows</source>
-        <translation>Sie neu zeichnen: alles, was daraus gemacht ist, folgt</translation>
+        <source>Turn this one into a drawn section; its operation still makes the others</source>
+        <translation>Aus dieser eine gezeichnete Scheibe machen; die anderen macht die Operation</translation>
+    </message>
+    <message>
+        <source>Changes to one of them apply to all</source>
+        <translation>Was mit einer geschieht, geschieht mit allen</translation>
+    </message>
+    <message>
+        <source>Redraw it; everything made from it follows</source>
+        <translation>Neu zeichnen: Alles, was daraus gemacht ist, folgt</translation>
     </message>
 </context>
 <context>
@@ -7659,10 +7780,6 @@
     <message>
         <source>Slits</source>
         <translation>Schlitze</translation>
-    </message>
-    <message>
-        <source>Reset to automatic</source>
-        <translation>Wieder automatisch</translation>
     </message>
     <message>
         <source>Sections</source>
@@ -7717,36 +7834,16 @@
         <translation>Treffpunkt %1</translation>
     </message>
     <message>
-        <source>The slit of %1 takes this much of the way, that of %2 the rest</source>
-        <translation>So viel des Weges nimmt der Schlitz von %1, der von %2 den Rest</translation>
-    </message>
-    <message>
-        <source>Set by hand; 50&#x202f;% by itself. %1</source>
-        <translation>Von Hand eingestellt; von selbst 50&#x202f;%. %1</translation>
-    </message>
-    <message>
         <source>Sections: %1 and %2</source>
         <translation>Scheiben: %1 und %2</translation>
-    </message>
-    <message>
-        <source>Set by hand; Reset takes it back</source>
-        <translation>Von Hand eingestellt; „Wieder automatisch“ nimmt es zurück</translation>
     </message>
     <message>
         <source>%1 opens</source>
         <translation>%1 öffnet</translation>
     </message>
     <message>
-        <source>Where the slit of %1 opens to; that of %2 opens to the other side</source>
-        <translation>Wohin der Schlitz von %1 aufgeht; der von %2 geht zur anderen Seite auf</translation>
-    </message>
-    <message>
         <source>In %1</source>
         <translation>In %1</translation>
-    </message>
-    <message>
-        <source>Kind, direction and meeting points as by themselves</source>
-        <translation>Art, Richtung und Treffpunkte wie von selbst</translation>
     </message>
     <message>
         <source>Nothing of this joint is set by hand</source>
@@ -7757,16 +7854,40 @@
         <translation>Zapfen, %1 breit</translation>
     </message>
     <message>
-        <source>%1 and %2 collide.</source>
-        <translation>%1 und %2 stoßen zusammen.</translation>
-    </message>
-    <message>
         <source>Trim %1</source>
         <translation>%1 kürzen</translation>
     </message>
     <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Restore automatic settings</source>
+        <translation>Automatik wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap.</source>
+        <translation>%1 und %2 durchdringen sich.</translation>
+    </message>
+    <message>
+        <source>The slit of %1 takes this share of the depth, that of %2 the rest</source>
+        <translation>So viel des Weges nimmt der Schlitz von %1, der von %2 den Rest</translation>
+    </message>
+    <message>
+        <source>Set by hand; automatic is 50&#x202f;%. %1</source>
+        <translation>Von Hand eingestellt; von selbst 50 %. %1</translation>
+    </message>
+    <message>
+        <source>Set by hand; the automatic setting can be restored</source>
+        <translation>Von Hand eingestellt; die Automatik lässt sich wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The side that the slit of %1 opens to; that of %2 opens to the other</source>
+        <translation>Wohin der Schlitz von %1 aufgeht; der von %2 geht zur anderen Seite auf</translation>
+    </message>
+    <message>
+        <source>Let the program choose kind, direction and meeting points again</source>
+        <translation>Art, Richtung und Treffpunkte wieder dem Programm überlassen</translation>
     </message>
 </context>
 <context>
@@ -7832,11 +7953,7 @@
     </message>
     <message>
         <source>They meet in more than one place</source>
-        <translation>Sie treffen sich an mehr als einer Stelle</translation>
-    </message>
-    <message>
-        <source>Neither section fits through a slot in the other</source>
-        <translation>Keine der Scheiben passt durch ein Loch in der anderen</translation>
+        <translation>Treffen sich an mehr als einer Stelle</translation>
     </message>
     <message>
         <source>Right</source>
@@ -7879,20 +7996,24 @@
         <translation>Keine Scheibe endet an der Fläche der anderen</translation>
     </message>
     <message>
-        <source>There is no room for tabs and their slots</source>
-        <translation>Für Zapfen und ihre Schlitze ist kein Platz</translation>
-    </message>
-    <message>
         <source>They meet at less than 30°</source>
-        <translation>Sie treffen sich unter weniger als 30°</translation>
-    </message>
-    <message>
-        <source>Here they could only slide one way, there only the other</source>
-        <translation>Hier könnten sie nur in eine Richtung gleiten, dort nur in die andere</translation>
+        <translation>Treffen sich unter weniger als 30°</translation>
     </message>
     <message>
         <source>Nothing would hold them: holes are where slits would begin</source>
         <translation>Nichts würde sie halten: Wo Schlitze beginnen würden, sind Löcher</translation>
+    </message>
+    <message>
+        <source>In one place they could only slide one way, in another only the other</source>
+        <translation>Hier könnten sie nur in eine Richtung gleiten, dort nur in die andere</translation>
+    </message>
+    <message>
+        <source>Neither section fits through a closed slit in the other</source>
+        <translation>Keine Scheibe passt durch einen geschlossenen Schlitz in der anderen</translation>
+    </message>
+    <message>
+        <source>There is no room for tabs and their slits</source>
+        <translation>Für Zapfen und ihre Schlitze ist kein Platz</translation>
     </message>
 </context>
 <context>
@@ -7944,10 +8065,6 @@
         <translation>Auswahl aufnehmen</translation>
     </message>
     <message>
-        <source>Put what is selected into the library; without a selection, the model</source>
-        <translation>Die Auswahl in die Bibliothek aufnehmen; ohne Auswahl das Modell</translation>
-    </message>
-    <message>
         <source>Folder…</source>
         <translation>Ordner …</translation>
     </message>
@@ -7967,35 +8084,39 @@
         </translation>
     </message>
     <message>
-        <source>The folder of your library</source>
-        <translation>Der Ordner der Bibliothek</translation>
-    </message>
-    <message>
         <source>Nothing added: nothing is drawn yet.</source>
         <translation>Nichts aufgenommen: Noch ist nichts gezeichnet.</translation>
-    </message>
-    <message>
-        <source>The folder of the library, %1, cannot be made.</source>
-        <translation>Der Ordner der Bibliothek, %1, lässt sich nicht anlegen.</translation>
     </message>
     <message>
         <source>%1 is in the library now.</source>
         <translation>%1 ist nun in der Bibliothek.</translation>
     </message>
     <message>
-        <source>%1 is in the wastebasket.</source>
-        <translation>%1 ist im Papierkorb.</translation>
-    </message>
-    <message>
-        <source>%1 could not be moved to the wastebasket.</source>
-        <translation>%1 ließ sich nicht in den Papierkorb legen.</translation>
-    </message>
-    <message>
         <source>Add it to the model</source>
         <translation>Zum Modell hinzufügen</translation>
     </message>
     <message>
-        <source>Move to the wastebasket</source>
+        <source>Put the selection into the library; without one, the whole model</source>
+        <translation>Die Auswahl in die Bibliothek aufnehmen; ohne Auswahl das Modell</translation>
+    </message>
+    <message>
+        <source>Library folder</source>
+        <translation>Der Ordner der Bibliothek</translation>
+    </message>
+    <message>
+        <source>The library folder %1 cannot be created.</source>
+        <translation>Der Ordner der Bibliothek, %1, lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 ist im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>%1 could not be moved to the trash.</source>
+        <translation>%1 ließ sich nicht in den Papierkorb legen.</translation>
+    </message>
+    <message>
+        <source>Move to trash</source>
         <translation>In den Papierkorb legen</translation>
     </message>
 </context>
@@ -8016,10 +8137,6 @@
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Thing</source>
-        <translation>Gegenstand</translation>
     </message>
     <message>
         <source>Plain weight</source>
@@ -8044,10 +8161,6 @@
     <message>
         <source>Centre of mass</source>
         <translation>Schwerpunkt</translation>
-    </message>
-    <message>
-        <source>So far above its place: the higher, the sooner all of it tips over</source>
-        <translation>So weit über seiner Stelle: je höher, desto eher kippt alles</translation>
     </message>
     <message>
         <source>N</source>
@@ -8114,12 +8227,20 @@
         <translation>Breite</translation>
     </message>
     <message>
-        <source>On copies, too</source>
-        <translation>Auch auf Kopien</translation>
-    </message>
-    <message>
         <source>Copies that operations make of its section carry one each</source>
         <translation>Kopien, die Operationen von seiner Scheibe machen, tragen je eines</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
+        <source>Height above its place: the higher, the sooner the model tips over</source>
+        <translation>So weit über seiner Stelle: je höher, desto eher kippt alles</translation>
+    </message>
+    <message>
+        <source>On copies too</source>
+        <translation>Auch auf Kopien</translation>
     </message>
 </context>
 <context>
@@ -8206,12 +8327,12 @@
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Begin a model of your own, go on with one, or look at a sample.</source>
-        <translation>Ein eigenes Modell beginnen, an einem weiterarbeiten oder ein Beispiel ansehen.</translation>
-    </message>
-    <message>
         <source>Show the folder</source>
         <translation>Ordner anzeigen</translation>
+    </message>
+    <message>
+        <source>Start a new model, continue one, or look at a sample.</source>
+        <translation>Ein eigenes Modell beginnen, an einem weiterarbeiten oder ein Beispiel ansehen.</translation>
     </message>
 </context>
 <context>
@@ -8376,25 +8497,25 @@
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Nothing is known of how it moves.</source>
-        <translation>Wie es sich bewegt, ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Sections bend&quot; to see how it bends.</source>
-        <translation>„Biegsam“ einschalten, um die Biegung zu sehen.</translation>
-    </message>
-    <message>
         <source>Shown as it begins to come apart.</source>
         <translation>Gezeigt wird, wie es anfängt, sich zu lösen.</translation>
     </message>
     <message>
-        <source>Bends %1, shown %2 times.</source>
-        <extracomment>%1 is a length, %2 a number of times</extracomment>
-        <translation>Biegt sich um %1, %2-fach gezeigt.</translation>
-    </message>
-    <message>
         <source>Bends %1.</source>
         <translation>Biegt sich um %1.</translation>
+    </message>
+    <message>
+        <source>It is not known how it moves.</source>
+        <translation>Wie es sich bewegt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Turn on “Sections bend” to see how it bends.</source>
+        <translation>„Biegsam“ einschalten, um die Biegung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Bends %1, shown %2 times as far.</source>
+        <extracomment>%1 is a length, %2 a number of times</extracomment>
+        <translation>Biegt sich um %1, %2-fach gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -8404,33 +8525,33 @@
         <translation>Ein Name ist ein Wort aus Buchstaben und Ziffern, außer „t“ und den Einheiten.</translation>
     </message>
     <message>
-        <source>Delete this number</source>
-        <translation>Diese Zahl löschen</translation>
-    </message>
-    <message>
         <source>gap = 12 mm</source>
         <comment>an example of a number with a name</comment>
         <translation>abstand = 12 mm</translation>
     </message>
     <message>
-        <source>A name and what it stands for; number fields take the name, also in sums: 2*gap</source>
+        <source>Named values</source>
+        <translation>Benannte Werte</translation>
+    </message>
+    <message>
+        <source>Delete this value</source>
+        <translation>Diesen Wert löschen</translation>
+    </message>
+    <message>
+        <source>A name and its value; number fields take the name, also in sums: 2*gap</source>
         <translation>Ein Name und wofür er steht; Zahlenfelder nehmen den Namen, auch in Rechnungen: 2*abstand</translation>
     </message>
     <message>
-        <source>Write a name, “=” and a number.</source>
+        <source>Type a name, “=” and a number.</source>
         <translation>Einen Namen, „=“ und eine Zahl schreiben.</translation>
     </message>
     <message>
-        <source>There is a number of this name already.</source>
-        <translation>Eine Zahl dieses Namens gibt es schon.</translation>
+        <source>There is already a value with this name.</source>
+        <translation>Einen Wert dieses Namens gibt es schon.</translation>
     </message>
     <message>
-        <source>New</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>Named values</source>
-        <translation>Benannte Werte</translation>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -8500,16 +8621,8 @@
         <translation>Umwandeln</translation>
     </message>
     <message>
-        <source>Make drawn sections of what it makes; it is then no operation any more</source>
-        <translation>Aus dem, was sie macht, gezeichnete Scheiben machen; die Operation gibt es dann nicht mehr</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Delete it and what it makes</source>
-        <translation>Sie löschen, mit allem, was sie macht</translation>
     </message>
     <message>
         <source>Inputs</source>
@@ -8522,6 +8635,14 @@
     <message>
         <source>Allow more</source>
         <translation>Mehr erlauben</translation>
+    </message>
+    <message>
+        <source>Turn what it makes into drawn sections; the operation itself is then gone</source>
+        <translation>Aus dem, was sie macht, gezeichnete Scheiben machen; die Operation gibt es dann nicht mehr</translation>
+    </message>
+    <message>
+        <source>Delete it and everything it makes</source>
+        <translation>Löschen, mit allem, was daraus gemacht ist</translation>
     </message>
 </context>
 <context>
@@ -8563,7 +8684,7 @@
     </message>
     <message>
         <source>Sections appear here as you draw them.</source>
-        <translation>Hier erscheinen die Scheiben, während Sie zeichnen.</translation>
+        <translation>Hier erscheinen die Scheiben, sobald sie gezeichnet sind.</translation>
     </message>
     <message>
         <source>%1, being drawn</source>
@@ -8719,10 +8840,6 @@
         <translation>Lasten</translation>
     </message>
     <message>
-        <source>Put a weight on the model to see what it bears.</source>
-        <translation>Häng ein Gewicht an das Modell, um zu sehen, was es trägt.</translation>
-    </message>
-    <message>
         <source>Own weight</source>
         <translation>Eigengewicht</translation>
     </message>
@@ -8732,7 +8849,7 @@
     </message>
     <message>
         <source>Add weight</source>
-        <translation>Gewicht anhängen</translation>
+        <translation>Gewicht hinzufügen</translation>
     </message>
     <message>
         <source>How strict</source>
@@ -8743,16 +8860,8 @@
         <translation>Sicherheitsfaktor</translation>
     </message>
     <message>
-        <source>So many times what is there has to be borne for it to hold</source>
-        <translation>So viel mal so viel, wie da ist, muss es tragen, damit es hält</translation>
-    </message>
-    <message>
         <source>Remove this weight</source>
         <translation>Dieses Gewicht entfernen</translation>
-    </message>
-    <message>
-        <source>Draw a section to see what it bears.</source>
-        <translation>Zeichne ein Teil, um zu sehen, was es trägt.</translation>
     </message>
     <message>
         <source>Whether it holds could not be worked out.</source>
@@ -8797,7 +8906,9 @@
     </message>
     <message>
         <source>%1, %2</source>
-        <extracomment>what a weight or a push is called, and the section that it is on</extracomment>
+        <extracomment>what a weight or a push is called, and the section that it is on
+----------
+the name of a section, and a place in it such as &quot;at its neck&quot;</extracomment>
         <translation>%1, %2</translation>
     </message>
     <message>
@@ -8811,10 +8922,6 @@
     <message>
         <source>Sections bend</source>
         <translation>Biegsam</translation>
-    </message>
-    <message>
-        <source>Where joints share what they bear, how stiff sections are decides who bears how much. Takes a while.</source>
-        <translation>Wo Verbindungen sich teilen, was sie tragen, entscheidet die Steifigkeit der Scheiben, welche wie viel trägt. Dauert eine Weile.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -8841,24 +8948,8 @@
         <translation>Zeigen ab</translation>
     </message>
     <message>
-        <source>Of what the sheet bears: less is not shown</source>
-        <translation>Von dem, was die Platte trägt: weniger wird nicht gezeigt</translation>
-    </message>
-    <message>
-        <source>Strong where</source>
-        <translation>Wo stark</translation>
-    </message>
-    <message>
-        <source>Colours the selected section by the mass that each place of it bears, besides what hangs on the model already. Takes a while.</source>
-        <translation>Färbt die ausgewählte Scheibe danach, welche Masse sie an jeder Stelle trägt, zusätzlich zu dem, was schon am Modell hängt. Dauert eine Weile.</translation>
-    </message>
-    <message>
         <source>Notch factor, at most</source>
         <translation>Kerbfaktor, höchstens</translation>
-    </message>
-    <message>
-        <source>How many times stress rises at inner corners follows from the neck&apos;s length, up to this; slits that end round need less</source>
-        <translation>Um wie viel die Spannung an Innenecken steigt, folgt aus der Länge der Engstelle, bis zu diesem Wert; rund endende Schlitze brauchen weniger</translation>
     </message>
     <message>
         <source>for months</source>
@@ -8867,10 +8958,6 @@
     <message>
         <source>Loads stay</source>
         <translation>Last bleibt</translation>
-    </message>
-    <message>
-        <source>Then a stock bears less, as it says itself: acrylic a quarter</source>
-        <translation>Dann trägt ein Material weniger, so viel wie es selbst angibt: Acryl ein Viertel</translation>
     </message>
     <message>
         <source>the selected section</source>
@@ -8885,6 +8972,42 @@
         <source>select a section</source>
         <translation>eine Scheibe auswählen</translation>
     </message>
+    <message>
+        <source>Share of the sheet&apos;s strength; less is not shown</source>
+        <translation>Anteil an der Festigkeit der Platte; weniger wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Where joints share a load, the stiffness of the sections decides how much each carries. Takes a while.</source>
+        <translation>Wo Verbindungen sich teilen, was sie tragen, entscheidet die Steifigkeit der Scheiben, welche wie viel trägt. Dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>Strength map</source>
+        <translation>Festigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Colours the selected section by the mass that each place of it can hold, besides what is on the model already. Takes a while.</source>
+        <translation>Färbt die ausgewählte Scheibe danach, welche Masse sie an jeder Stelle trägt, zusätzlich zu dem, was schon auf dem Modell ist. Dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>Put a weight on the model to see what it can hold.</source>
+        <translation>Ein Gewicht auf das Modell setzen, um zu sehen, was es trägt.</translation>
+    </message>
+    <message>
+        <source>How many times its load the model must be able to carry to count as holding</source>
+        <translation>So viel mal so viel, wie da ist, muss es tragen, damit es hält</translation>
+    </message>
+    <message>
+        <source>How far stress rises at inner corners follows from the length of the neck, up to this factor; slits with round ends need less</source>
+        <translation>Um wie viel die Spannung an Innenecken steigt, folgt aus der Länge der Engstelle, bis zu diesem Wert; rund endende Schlitze brauchen weniger</translation>
+    </message>
+    <message>
+        <source>A stock then holds less, as set for it: acrylic only a quarter</source>
+        <translation>Dann trägt ein Material weniger, so viel wie es selbst angibt: Acryl ein Viertel</translation>
+    </message>
+    <message>
+        <source>Draw a section to see what it can hold.</source>
+        <translation>Eine Scheibe zeichnen, um zu sehen, was sie trägt.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::PlaceGroup</name>
@@ -8897,16 +9020,8 @@
         <translation>Frei</translation>
     </message>
     <message>
-        <source>It neither goes along with the section that it is on, nor keeps its angle to that</source>
-        <translation>Sie geht weder mit der Scheibe mit, auf der sie sitzt, noch behält sie ihren Winkel zu dieser</translation>
-    </message>
-    <message>
         <source>Locked</source>
         <translation>Gesperrt</translation>
-    </message>
-    <message>
-        <source>It stays as it is, unless what it is on is moved</source>
-        <translation>Sie bleibt, wie sie ist, außer wenn die Scheibe bewegt wird, auf der sie sitzt</translation>
     </message>
     <message>
         <source>On</source>
@@ -8915,14 +9030,6 @@
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
-    </message>
-    <message>
-        <source>Click another section that it shall be on</source>
-        <translation>Auf eine andere Scheibe klicken, auf der sie sitzen soll</translation>
-    </message>
-    <message>
-        <source>On no other section</source>
-        <translation>Auf keiner anderen Scheibe</translation>
     </message>
     <message>
         <source>°</source>
@@ -8935,10 +9042,6 @@
     <message>
         <source>Symmetric</source>
         <translation>Symmetrisch</translation>
-    </message>
-    <message>
-        <source>What is done to points of one half is done to the other one</source>
-        <translation>Was mit Punkten der einen Hälfte geschieht, geschieht auch mit denen der anderen</translation>
     </message>
     <message>
         <source>Position</source>
@@ -8971,6 +9074,26 @@
     <message>
         <source>Z of the direction it faces, of length 1</source>
         <translation>Z der Richtung, in die sie zeigt, Länge 1</translation>
+    </message>
+    <message>
+        <source>It neither moves with the section that it is on, nor keeps its angle to it</source>
+        <translation>Geht weder mit der Scheibe mit, auf der sie sitzt, noch behält sie ihren Winkel zu dieser</translation>
+    </message>
+    <message>
+        <source>It stays as it is, unless the section that it is on moves</source>
+        <translation>Bleibt, wie sie ist, außer wenn die Scheibe bewegt wird, auf der sie sitzt</translation>
+    </message>
+    <message>
+        <source>Changes to points of one half apply to the other</source>
+        <translation>Was mit Punkten der einen Hälfte geschieht, geschieht auch mit denen der anderen</translation>
+    </message>
+    <message>
+        <source>Click another section to put it on</source>
+        <translation>Eine andere Scheibe anklicken, auf die sie gesetzt werden soll</translation>
+    </message>
+    <message>
+        <source>Not on another section</source>
+        <translation>Auf keiner anderen Scheibe</translation>
     </message>
 </context>
 <context>
@@ -9099,10 +9222,6 @@
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>They collide</source>
-        <translation>Sie stoßen zusammen</translation>
-    </message>
-    <message>
         <source>%1 · automatic</source>
         <translation>%1 · automatisch</translation>
     </message>
@@ -9113,10 +9232,6 @@
     <message>
         <source>On</source>
         <translation>Ein</translation>
-    </message>
-    <message>
-        <source>Off, it makes nothing and keeps all that is set</source>
-        <translation>Ausgeschaltet macht sie nichts und behält alles, was eingestellt ist</translation>
     </message>
     <message>
         <source>Made by %1 · %2</source>
@@ -9142,6 +9257,14 @@
         <source>%1 on %2</source>
         <extracomment>%1 is a mass or a force, %2 the name of a section</extracomment>
         <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>Switched off, it makes nothing but keeps its settings</source>
+        <translation>Ausgeschaltet macht sie nichts und behält alles, was eingestellt ist</translation>
+    </message>
+    <message>
+        <source>They overlap</source>
+        <translation>Durchdringen sich</translation>
     </message>
 </context>
 <context>
@@ -9321,10 +9444,6 @@
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>That of the stock: all sections of it follow</source>
-        <translation>Die des Materials: Alle Scheiben daraus folgen</translation>
-    </message>
-    <message>
         <source>Mass</source>
         <translation>Masse</translation>
     </message>
@@ -9351,6 +9470,10 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Thickness of the stock: all sections of this stock follow</source>
+        <translation>Die des Materials: Alle Scheiben daraus folgen</translation>
     </message>
 </context>
 <context>
@@ -9392,10 +9515,6 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Lengths in</source>
-        <translation>Längen in</translation>
-    </message>
-    <message>
         <source>Millimetres (mm)</source>
         <translation>Millimeter (mm)</translation>
     </message>
@@ -9416,10 +9535,6 @@
         <translation>Farben</translation>
     </message>
     <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Hell</translation>
     </message>
@@ -9430,18 +9545,6 @@
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Another language is used from the next start on.</source>
-        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
-    </message>
-    <message>
-        <source>Show the start page at start</source>
-        <translation>Beim Start die Startseite zeigen</translation>
-    </message>
-    <message>
-        <source>Turn time</source>
-        <translation>Drehzeit</translation>
     </message>
     <message>
         <source>ms</source>
@@ -9468,40 +9571,16 @@
         <translation>Bei „so wenig wie möglich“ springt die Ansicht, statt sich zu drehen.</translation>
     </message>
     <message>
-        <source>Keep unsaved work every</source>
-        <translation>Ungespeichertes sichern alle</translation>
-    </message>
-    <message>
         <source>s</source>
         <translation>s</translation>
-    </message>
-    <message>
-        <source>After a crash or a power cut you get it back, also what was never saved. Your file is left alone.</source>
-        <translation>Nach einem Absturz oder Stromausfall ist es wieder da, auch nie Gespeichertes. Ihre Datei bleibt unberührt.</translation>
-    </message>
-    <message>
-        <source>When saving, keep the file as it was before</source>
-        <translation>Beim Speichern die vorige Fassung der Datei behalten</translation>
     </message>
     <message>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
     </message>
     <message>
-        <source>Turn to</source>
-        <translation>Drehen auf</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>At 90° you look straight at the new plane. With less, the section that you started on stays to be seen.</source>
-        <translation>Bei 90° blickt man gerade auf die neue Ebene. Mit weniger bleibt die Scheibe zu sehen, auf der man begonnen hat.</translation>
-    </message>
-    <message>
-        <source>Mouse as in</source>
-        <translation>Maus wie in</translation>
     </message>
     <message>
         <source>Which buttons turn, move and zoom the view. Ctrl with the left button always turns it, Space with the left button moves it.</source>
@@ -9512,20 +9591,12 @@
         <translation>Prüfungen</translation>
     </message>
     <message>
-        <source>Warn of angles below</source>
-        <translation>Vor Winkeln warnen unter</translation>
-    </message>
-    <message>
         <source>The flatter two sections meet, the wider their slits have to be.</source>
         <translation>Je flacher sich zwei Scheiben treffen, desto breiter müssen ihre Schlitze sein.</translation>
     </message>
     <message>
         <source>Look for an order of assembly for</source>
         <translation>Reihenfolge für den Zusammenbau suchen</translation>
-    </message>
-    <message>
-        <source>In the background, after each change. Give it more time where the checks say that they found no order.</source>
-        <translation>Im Hintergrund, nach jeder Änderung. Mehr Zeit hilft, wenn die Prüfungen sagen, dass sie keine Reihenfolge gefunden haben.</translation>
     </message>
     <message>
         <source>Sections only touch below</source>
@@ -9536,8 +9607,88 @@
         <translation>mm</translation>
     </message>
     <message>
-        <source>Where they overlap by less, that is no problem.</source>
-        <translation>Wo sie weniger ineinanderreichen, ist das kein Problem.</translation>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Same as the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Takes effect after a restart.</source>
+        <translation>Gilt nach einem Neustart.</translation>
+    </message>
+    <message>
+        <source>Show the start page at startup</source>
+        <translation>Beim Start die Startseite zeigen</translation>
+    </message>
+    <message>
+        <source>Turning time</source>
+        <translation>Drehdauer</translation>
+    </message>
+    <message>
+        <source>View turns by</source>
+        <translation>Ansicht dreht um</translation>
+    </message>
+    <message>
+        <source>At 90° you look straight at the new plane. With less, the section that you started on stays visible.</source>
+        <translation>Bei 90° blickt man gerade auf die neue Ebene. Mit weniger bleibt die Scheibe zu sehen, auf der man begonnen hat.</translation>
+    </message>
+    <message>
+        <source>Mouse buttons like</source>
+        <translation>Maustasten wie in</translation>
+    </message>
+    <message>
+        <source>Stress colours for the colour-blind</source>
+        <translation>Spannungsfarben für Farbenblinde</translation>
+    </message>
+    <message>
+        <source>From light to dark instead of blue to red. Always so in high contrast.</source>
+        <translation>Von hell nach dunkel statt von Blau nach Rot. Bei hohem Kontrast immer.</translation>
+    </message>
+    <message>
+        <source>Warn about angles below</source>
+        <translation>Warnen bei Winkeln unter</translation>
+    </message>
+    <message>
+        <source>An overlap of less than this is no problem.</source>
+        <translation>Ein kleineres Überlappen ist kein Problem.</translation>
+    </message>
+    <message>
+        <source>In the background, after each change. Allow more time if the checks find no order.</source>
+        <translation>Im Hintergrund, nach jeder Änderung. Mehr Zeit hilft, wenn die Prüfungen sagen, dass sie keine Reihenfolge gefunden haben.</translation>
+    </message>
+    <message>
+        <source>Safety factor</source>
+        <translation>Sicherheitsfaktor</translation>
+    </message>
+    <message>
+        <source>How many times its load a model has to bear before it is said to hold.</source>
+        <translation>So viele Male muss ein Modell seine Last tragen, damit es als haltbar gilt.</translation>
+    </message>
+    <message>
+        <source>Notch factor, at most</source>
+        <translation>Kerbfaktor, höchstens</translation>
+    </message>
+    <message>
+        <source>How many times higher stress is taken to be at inner corners.</source>
+        <translation>So viele Male höher gilt die Spannung an inneren Ecken.</translation>
+    </message>
+    <message>
+        <source>Loads stay for months</source>
+        <translation>Lasten bleiben für Monate</translation>
+    </message>
+    <message>
+        <source>Back up unsaved work every</source>
+        <translation>Ungespeichertes sichern alle</translation>
+    </message>
+    <message>
+        <source>After a crash or a power cut you get it back, even if it was never saved. Your file is not touched.</source>
+        <translation>Nach einem Absturz oder Stromausfall ist es wieder da, auch nie Gespeichertes. Die Datei bleibt unberührt.</translation>
+    </message>
+    <message>
+        <source>Keep the previous version when saving</source>
+        <translation>Beim Speichern die vorige Fassung der Datei behalten</translation>
     </message>
 </context>
 <context>
@@ -9598,36 +9749,16 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>No keys for this action</source>
-        <translation>Keine Tasten für diesen Befehl</translation>
-    </message>
-    <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>The keys that this action has at first</source>
-        <translation>Die Tasten, die dieser Befehl anfangs hat</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <source>The keys that all actions have at first</source>
-        <translation>Die Tasten, die alle Befehle anfangs haben</translation>
-    </message>
-    <message>
         <source>Use it here</source>
         <translation>Hier verwenden</translation>
-    </message>
-    <message>
-        <source>Actions and their shortcuts</source>
-        <translation>Befehle und ihre Tastenkürzel</translation>
-    </message>
-    <message>
-        <source>Action</source>
-        <translation>Befehl</translation>
     </message>
     <message>
         <source>Shortcut</source>
@@ -9646,24 +9777,44 @@
         <translation>überall</translation>
     </message>
     <message>
-        <source>Choose an action</source>
-        <translation>Einen Befehl wählen</translation>
-    </message>
-    <message>
         <source>Keys for %1:</source>
         <translation>Tasten für %1:</translation>
     </message>
     <message>
         <source>Changed by you</source>
-        <translation>Von Ihnen geändert</translation>
-    </message>
-    <message>
-        <source>%1 alone would get in the way of typing. Hold Ctrl or Alt with it; single keys are for actions that work in the view.</source>
-        <translation>%1 allein käme beim Tippen in die Quere. Strg oder Alt dazu halten; einzelne Tasten sind für Befehle, die in der Ansicht wirken.</translation>
+        <translation>Selbst geändert</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”.</source>
         <translation>%1 gehört zu „%2“.</translation>
+    </message>
+    <message>
+        <source>No keys for this command</source>
+        <translation>Keine Tasten für diesen Befehl</translation>
+    </message>
+    <message>
+        <source>The original keys of this command</source>
+        <translation>Die ursprünglichen Tasten dieses Befehls</translation>
+    </message>
+    <message>
+        <source>The original keys of all commands</source>
+        <translation>Die ursprünglichen Tasten aller Befehle</translation>
+    </message>
+    <message>
+        <source>Commands and their shortcuts</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Choose a command</source>
+        <translation>Befehl wählen</translation>
+    </message>
+    <message>
+        <source>%1 alone would get in the way of typing. Hold Ctrl or Alt with it; single keys are for commands that work in the view.</source>
+        <translation>%1 allein stünde dem Tippen im Weg. Mit Strg oder Alt halten; einzelne Tasten sind für Befehle, die in der Ansicht wirken.</translation>
     </message>
 </context>
 <context>
@@ -9689,10 +9840,6 @@
         <translation>Schlitzende</translation>
     </message>
     <message>
-        <source>The inner end of a slit. A laser cuts it square; a mill&apos;s round tool leaves its corners standing. Round: a round bottom beyond the square one. Dogbone: an arc through each corner. T-bone: an arc in each wall; the bottom stays flat.</source>
-        <translation>Das innere Ende eines Schlitzes. Ein Laser schneidet es eckig; das runde Werkzeug einer Fräse lässt die Ecken stehen. Rund: ein runder Grund jenseits des eckigen. Dogbone: ein Bogen durch jede Ecke. T-Bone: ein Bogen in jeder Wand; der Grund bleibt eben.</translation>
-    </message>
-    <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
     </message>
@@ -9709,16 +9856,20 @@
         <translation>Einführfase</translation>
     </message>
     <message>
-        <source>Chamfer of both walls at a slit&apos;s mouth, at 45°, so that sections find in. Half to all of the thickness is usual; 0: none.</source>
-        <translation>Fase beider Wände an der Mündung eines Schlitzes, unter 45°, damit Scheiben hineinfinden. Üblich ist die halbe bis ganze Dicke; 0: keine.</translation>
-    </message>
-    <message>
         <source>Friction bumps</source>
         <translation>Klemmnoppen</translation>
     </message>
     <message>
         <source>Height of a small bump on each wall of a slit, which presses on the section in it. It has to be more than half of the clearance; 0: none.</source>
         <translation>Höhe einer kleinen Noppe an jeder Wand eines Schlitzes, die auf die Scheibe darin drückt. Sie muss mehr als das halbe Spiel betragen; 0: keine.</translation>
+    </message>
+    <message>
+        <source>The inner end of a slit. A laser cuts it square; a mill&apos;s round tool cannot reach its corners. Round: a round bottom beyond the square one. Dogbone: an arc through each corner. T-bone: an arc in each wall; the bottom stays flat.</source>
+        <translation>Das innere Ende eines Schlitzes. Ein Laser schneidet es eckig; das runde Werkzeug einer Fräse lässt die Ecken stehen. Rund: ein runder Grund jenseits des eckigen. Dogbone: ein Bogen durch jede Ecke. T-Bone: ein Bogen in jeder Wand; der Grund bleibt eben.</translation>
+    </message>
+    <message>
+        <source>Chamfer of both walls at a slit&apos;s mouth, at 45°, so that sections slide in easily. Half to all of the thickness is usual; 0: none.</source>
+        <translation>Fase beider Wände an der Mündung eines Schlitzes, unter 45°, damit Scheiben hineinfinden. Üblich ist die halbe bis ganze Dicke; 0: keine.</translation>
     </message>
 </context>
 <context>
@@ -9788,16 +9939,8 @@
         <translation>Öffnen …</translation>
     </message>
     <message>
-        <source>Open a model, also one of FlatFab</source>
-        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
-    </message>
-    <message>
         <source>No account, nothing leaves this computer.</source>
         <translation>Kein Konto, nichts verlässt diesen Rechner.</translation>
-    </message>
-    <message>
-        <source>Show at start</source>
-        <translation>Beim Start zeigen</translation>
     </message>
     <message>
         <source>Recent</source>
@@ -9852,6 +9995,14 @@
         <source>OK</source>
         <translation>OK</translation>
     </message>
+    <message>
+        <source>Open a model, also from FlatFab</source>
+        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
+    </message>
+    <message>
+        <source>Show at startup</source>
+        <translation>Beim Start zeigen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -9895,11 +10046,11 @@
         <translation>„%1“ zurückgenommen. &lt;kbd&gt;%2&lt;/kbd&gt; bringt es wieder.</translation>
     </message>
     <message>
-        <source>Did “%1” again.</source>
+        <source>Redid “%1”.</source>
         <translation>„%1“ wiederholt.</translation>
     </message>
     <message>
-        <source>Did “%1” again. &lt;kbd&gt;%2&lt;/kbd&gt; takes it back.</source>
+        <source>Redid “%1”. &lt;kbd&gt;%2&lt;/kbd&gt; takes it back.</source>
         <translation>„%1“ wiederholt. &lt;kbd&gt;%2&lt;/kbd&gt; nimmt es zurück.</translation>
     </message>
 </context>
@@ -9914,16 +10065,8 @@
         <translation>Schritte ausgeben …</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture for each</source>
-        <translation>Alle Schritte als PDF zum Drucken schreiben, oder ein Bild für jeden</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Schritte schließen (Esc)</translation>
-    </message>
-    <message>
-        <source>Step before (Left)</source>
-        <translation>Voriger Schritt (Links)</translation>
     </message>
     <message>
         <source>Play (Space)</source>
@@ -9938,16 +10081,24 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Draw the parts apart</source>
+        <source>Pause (Space)</source>
+        <translation>Anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, or a picture of each</source>
+        <translation>Alle Schritte als PDF zum Drucken schreiben, oder ein Bild für jeden</translation>
+    </message>
+    <message>
+        <source>Previous step (Left)</source>
+        <translation>Voriger Schritt (Links)</translation>
+    </message>
+    <message>
+        <source>Pull the parts apart</source>
         <translation>Die Teile auseinanderziehen</translation>
     </message>
     <message>
-        <source>Apart</source>
+        <source>Exploded</source>
         <translation>Auseinander</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Anhalten (Leertaste)</translation>
     </message>
 </context>
 <context>
@@ -9967,10 +10118,6 @@
     <message>
         <source>Exporting %1…</source>
         <translation>%1 wird ausgegeben …</translation>
-    </message>
-    <message>
-        <source>Nothing was written: the export was given up.</source>
-        <translation>Nichts geschrieben: die Ausgabe wurde abgebrochen.</translation>
     </message>
     <message>
         <source>The steps could not be exported: no picture can be made on this display.</source>
@@ -9994,6 +10141,10 @@
     <message>
         <source>Export somewhere else…</source>
         <translation>Anderswohin ausgeben …</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the export was cancelled.</source>
+        <translation>Nichts geschrieben: die Ausgabe wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -10052,7 +10203,7 @@
         </translation>
     </message>
     <message>
-        <source>The numbers are those engraved on the parts. At every slit stands the number of its joint behind a short bar, the same on both of its parts.</source>
+        <source>The numbers are those engraved on the parts. At every slit there is the number of its joint after a short bar, the same on both of its parts.</source>
         <translation>Die Nummern sind die, die auf den Teilen eingraviert sind. An jedem Schlitz steht hinter einem kurzen Strich die Nummer seiner Verbindung, auf beiden Teilen dieselbe.</translation>
     </message>
 </context>
@@ -10289,14 +10440,6 @@
         <source>not rated</source>
         <translation>ohne Angabe</translation>
     </message>
-    <message>
-        <source>0 stands for: not rated</source>
-        <translation>0 heißt: ohne Angabe</translation>
-    </message>
-    <message>
-        <source>No section is made of it</source>
-        <translation>Keine Scheibe ist daraus</translation>
-    </message>
     <message numerus="yes">
         <source>%n section(s)</source>
         <translation>
@@ -10317,16 +10460,24 @@
         <translation>Biegt sich</translation>
     </message>
     <message>
-        <source>As metal does: the strengths are those from which on it stays bent</source>
+        <source>Like metal: above these strengths it stays bent</source>
         <translation>Wie Metall: Die Festigkeiten sind die, ab denen es verbogen bleibt</translation>
     </message>
     <message>
-        <source>Bears for months</source>
-        <translation>Trägt auf Dauer</translation>
+        <source>Holds for months</source>
+        <translation>Hält auf Dauer</translation>
     </message>
     <message>
-        <source>Of its strength, where what acts stays: acrylic creeps and crazes</source>
+        <source>Share of its strength under a load that stays: acrylic creeps and crazes</source>
         <translation>Von seiner Festigkeit, wenn die Last bleibt: Acryl kriecht und wird rissig</translation>
+    </message>
+    <message>
+        <source>0 means not rated</source>
+        <translation>0 heißt: ohne Angabe</translation>
+    </message>
+    <message>
+        <source>No sections are made of it</source>
+        <translation>Keine Scheibe ist daraus</translation>
     </message>
 </context>
 <context>
@@ -10434,10 +10585,6 @@
         <translation>Unsicher: Neben den Löchern, über die er geht, wirken Kräfte.</translation>
     </message>
     <message>
-        <source>A rough number: it is too short, or too near a force, for a bar.</source>
-        <translation>Eine grobe Zahl: Für einen Stab ist er zu kurz oder einer Kraft zu nah.</translation>
-    </message>
-    <message>
         <source>It would crack at its corner first.</source>
         <translation>Zuerst risse es an der Ecke.</translation>
     </message>
@@ -10449,6 +10596,10 @@
         <source>%1&#x202f;%</source>
         <extracomment>%1 is a number of percent</extracomment>
         <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>A rough figure: the neck is too short, or too near a force.</source>
+        <translation>Eine grobe Zahl: Die engste Stelle ist zu kurz oder einer Kraft zu nah.</translation>
     </message>
 </context>
 <context>
@@ -10491,16 +10642,8 @@
 <context>
     <name>fff::ui::UnsavedWork</name>
     <message>
-        <source>Unsaved work cannot be kept for the case of a crash. Save it to be safe.</source>
-        <translation>Ungespeichertes kann nicht für den Fall eines Absturzes gesichert werden. Besser speichern.</translation>
-    </message>
-    <message>
         <source>This work was opened or discarded in another window.</source>
         <translation>Das wurde in einem anderen Fenster geöffnet oder verworfen.</translation>
-    </message>
-    <message>
-        <source>What was kept could not be opened: %1.</source>
-        <translation>Das Gesicherte konnte nicht geöffnet werden: %1.</translation>
     </message>
     <message>
         <source>untitled</source>
@@ -10525,6 +10668,14 @@
     <message>
         <source>A copy of unsaved work could not be read; it is kept as %1.</source>
         <translation>Eine Kopie ungespeicherter Arbeit ließ sich nicht lesen; sie bleibt unter %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be backed up in case of a crash. Save it to be safe.</source>
+        <translation>Ungespeichertes kann nicht für den Fall eines Absturzes gesichert werden. Besser speichern.</translation>
+    </message>
+    <message>
+        <source>The backup could not be opened: %1.</source>
+        <translation>Das Gesicherte konnte nicht geöffnet werden: %1.</translation>
     </message>
 </context>
 <context>

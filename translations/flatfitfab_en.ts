@@ -63,35 +63,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n rings of sections have joints that slide in different directions.</source>
-        <translation>
-            <numerusform>%n ring of sections has joints that slide in different directions.</numerusform>
-            <numerusform>%n rings of sections have joints that slide in different directions.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The slits of %n joints were turned round.</source>
-        <translation>
-            <numerusform>The slits of %n joint were turned round.</numerusform>
-            <numerusform>The slits of %n joints were turned round.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Could be assembled, if %n pairs of sections did not take up the same place.</source>
-        <translation>
-            <numerusform>Could be assembled, if %n pair of sections did not take up the same place.</numerusform>
-            <numerusform>Could be assembled, if %n pairs of sections did not take up the same place.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pairs of sections only touch, by less than %1.</source>
-        <extracomment>%1 is a length</extracomment>
-        <translation>
-            <numerusform>%n pair of sections only touches, by less than %1.</numerusform>
-            <numerusform>%n pairs of sections only touch, by less than %1.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Slits cut %n chips under 1 mm² off %1. They are waste and get no number.</source>
         <extracomment>%1 names sections</extracomment>
         <translation>
@@ -100,24 +71,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n joints turned round</source>
-        <translation>
-            <numerusform>%n joint turned round</numerusform>
-            <numerusform>%n joints turned round</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n sections moved</source>
         <translation>
             <numerusform>%n section moved</numerusform>
             <numerusform>%n sections moved</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections given another outline</source>
-        <translation>
-            <numerusform>%n section given another outline</numerusform>
-            <numerusform>%n sections given another outline</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -148,6 +105,49 @@
             <numerusform>The slits of %n joints meet elsewhere</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Could be assembled if %n pairs of sections did not overlap.</source>
+        <translation>
+            <numerusform>Could be assembled if one pair of sections did not overlap.</numerusform>
+            <numerusform>Could be assembled if %n pairs of sections did not overlap.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints flipped.</source>
+        <translation>
+            <numerusform>1 joint flipped.</numerusform>
+            <numerusform>%n joints flipped.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
+        <translation>
+            <numerusform>A ring of sections in which every section has to go in before the others.</numerusform>
+            <numerusform>%n rings of sections, in each of which every section has to go in before the others.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of sections only touch: they overlap by less than %1.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>
+            <numerusform>A pair of sections only touches: they overlap by less than %1.</numerusform>
+            <numerusform>%n pairs of sections only touch: they overlap by less than %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints flipped</source>
+        <translation>
+            <numerusform>1 joint flipped</numerusform>
+            <numerusform>%n joints flipped</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections reshaped</source>
+        <translation>
+            <numerusform>1 section reshaped</numerusform>
+            <numerusform>%n sections reshaped</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -156,6 +156,65 @@
         <translation>
             <numerusform>%n section</numerusform>
             <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Error</name>
+    <message numerus="yes">
+        <source>%n sections were slightly skewed and have been straightened.</source>
+        <translation>
+            <numerusform>1 section was slightly skewed and has been straightened.</numerusform>
+            <numerusform>%n sections were slightly skewed and have been straightened.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contours crossed themselves; the largest loop of each was kept.</source>
+        <translation>
+            <numerusform>1 contour crossed itself; its largest loop was kept.</numerusform>
+            <numerusform>%n contours crossed themselves; the largest loop of each was kept.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes reached beyond their contours and were left out.</source>
+        <translation>
+            <numerusform>1 hole reached beyond its contour and was left out.</numerusform>
+            <numerusform>%n holes reached beyond their contours and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes had no area and were left out.</source>
+        <translation>
+            <numerusform>1 hole had no area and was left out.</numerusform>
+            <numerusform>%n holes had no area and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Holes of %n sections overlapped and were merged.</source>
+        <translation>
+            <numerusform>Holes of 1 section overlapped and were merged.</numerusform>
+            <numerusform>Holes of %n sections overlapped and were merged.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes reached beyond their contours and were cut out of them.</source>
+        <translation>
+            <numerusform>1 hole reached beyond its contour and was cut out of it.</numerusform>
+            <numerusform>%n holes reached beyond their contours and were cut out of them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Text after the last section was ignored in %n places.</source>
+        <translation>
+            <numerusform>Text after the last section was ignored in 1 place.</numerusform>
+            <numerusform>Text after the last section was ignored in %n places.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures or meshes could not be read and were left out.</source>
+        <translation>
+            <numerusform>1 picture or mesh could not be read and was left out.</numerusform>
+            <numerusform>%n pictures or meshes could not be read and were left out.</numerusform>
         </translation>
     </message>
 </context>
@@ -197,10 +256,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n copies of %1 carry it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
+        <source>%n copies of %1 carry it too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</source>
         <translation>
-            <numerusform>The copy of %1 carries it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
-            <numerusform>%n copies of %1 carry it, too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
+            <numerusform>The copy of %1 carries it too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
+            <numerusform>%n copies of %1 carry it too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
         </translation>
     </message>
 </context>
@@ -323,13 +382,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Hold %n sections</source>
-        <translation>
-            <numerusform>Hold %n section</numerusform>
-            <numerusform>Hold %n sections</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Lock %n sections</source>
         <translation>
             <numerusform>Lock %n section</numerusform>
@@ -390,6 +442,13 @@
         <translation>
             <numerusform>Let the halves of %n section differ</numerusform>
             <numerusform>Let the halves of %n sections differ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Attach %n sections</source>
+        <translation>
+            <numerusform>Attach 1 section</numerusform>
+            <numerusform>Attach %n sections</numerusform>
         </translation>
     </message>
 </context>
