@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/physics/elastic_energy.h"
-#include "core/physics/long_work.h"
+#include "core/base/long_work.h"
 #include "core/physics/structure.h"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/physics/frontal_factors.h"
-#include "core/physics/long_work.h"
+#include "core/base/long_work.h"
 
 #include <Eigen/Core>
 #include <utility>

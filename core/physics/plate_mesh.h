@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/polygon.h"
-#include "core/physics/long_work.h"
+#include "core/base/long_work.h"
 
 #include <array>
 #include <vector>
