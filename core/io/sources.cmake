@@ -18,14 +18,26 @@ target_sources(fff_io PRIVATE
     flatfab_format.cpp
     flatfab_text.cpp
     formats.cpp
+    gltf_accessor.cpp
+    gltf_reader.cpp
     json_cursor.cpp
     json_keys.cpp
     json_syntax.cpp
     json_writer.cpp
     loaded_document.cpp
+    mesh_builder.cpp
+    mesh_file.cpp
+    mesh_formats.cpp
+    mesh_text.cpp
+    obj_mesh_reader.cpp
     obj_writer.cpp
+    off_reader.cpp
     replacement.cpp
     pipes.cpp
+    placed_meshes.cpp
+    ply_header.cpp
+    ply_reader.cpp
+    stl_reader.cpp
     svg_clip.cpp
     svg_format.cpp
     svg_path.cpp
@@ -34,5 +46,6 @@ target_sources(fff_io PRIVATE
     svg_source.cpp
     svg_values.cpp
     svg_writer.cpp
+    threemf_reader.cpp
     warning_summary.cpp
 )
