@@ -7,6 +7,7 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/generated_models.cpp
     ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measure.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/mesh_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/peer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/gizmo_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_event.cpp

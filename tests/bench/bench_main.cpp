@@ -4,6 +4,7 @@
 #include "tests/bench/drawing_growth.h"
 #include "tests/bench/generated_models.h"
 #include "tests/bench/kernel.h"
+#include "tests/bench/mesh_cost.h"
 #include "tests/bench/report.h"
 #include "tests/bench/strength_cost.h"
 #include "tests/bench/stroke_event.h"
@@ -157,6 +158,9 @@ int main(int argc, char **argv)
     parser.addOption({QStringLiteral("strength"),
                       QStringLiteral("What it costs to say whether the models hold, instead; of "
                                      "the runs the shortest.")});
+    parser.addOption({QStringLiteral("meshes"),
+                      QStringLiteral("What meshes to draw over cost, instead; of the runs the "
+                                     "shortest.")});
     parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
                                  QStringLiteral("[FOLDER…]"));
     parser.process(application);
@@ -173,6 +177,11 @@ int main(int argc, char **argv)
         const QStringList sizes = parser.value(QStringLiteral("strokes")).split(QLatin1Char(','));
         QTextStream(stdout) << QString::fromStdString(
             strokeTable(drawnStrokes(sizes, only, kernel)));
+        return 0;
+    }
+    const int runs = std::max(1, parser.value(QStringLiteral("runs")).toInt());
+    if (parser.isSet(QStringLiteral("meshes"))) {
+        QTextStream(stdout) << QString::fromStdString(meshTable(meshCosts(runs, kernel)));
         return 0;
     }
     std::optional<Peer> peer;
@@ -196,7 +205,6 @@ int main(int argc, char **argv)
                });
     };
 
-    const int runs = std::max(1, parser.value(QStringLiteral("runs")).toInt());
     if (parser.isSet(QStringLiteral("strength"))) {
         const auto rows = rowsOf<StrengthCost>(cases, isWanted, kernel, [runs](const Case &item) {
             return strengthCost(item.name, item.path, runs, item.edited);

@@ -1,0 +1,155 @@
+#include "tests/bench/mesh_cost.h"
+
+#include "core/io/mesh_file.h"
+#include "core/templates/guide_curve.h"
+#include "core/templates/magnetic_cut.h"
+#include "core/templates/vertex_normals.h"
+#include "tests/bench/stopwatch.h"
+#include "tests/core/io/written_meshes.h"
+#include "tests/core/templates/made_meshes.h"
+
+#include <QTextStream>
+
+#include <array>
+#include <limits>
+
+namespace fff::bench {
+
+namespace {
+
+constexpr int kMovedPlanes = 50; // of which the mean counts
+
+template <class Work>
+void shortest(double &milliseconds, int runs, Work work)
+{
+    milliseconds = std::numeric_limits<double>::infinity();
+    for (int run = 0; run < runs; ++run) {
+        double once = 0.0;
+        timed(once, work);
+        milliseconds = std::min(milliseconds, once);
+    }
+}
+
+MeshCost meshCost(int rows, int columns, int runs)
+{
+    MeshDraft draft = test::torus(80.0, 30.0, rows, columns);
+    // Not round in any direction, so that cuts are of all kinds.
+    for (Vec3 &p : draft.positions)
+        p += 2.0 * Vec3(std::sin(0.2 * p.y()), std::sin(0.3 * p.z()), std::sin(0.25 * p.x()));
+    MeshCost cost;
+    cost.triangles = draft.triangles.size();
+    cost.name = std::to_string(cost.triangles) + " triangles";
+    io::MeshOptions options;
+    options.name = "ring";
+    {
+        const std::string stl = test::stlBytes(draft);
+        shortest(cost.stl, runs, [&] { return io::readMeshBytes(stl, options); });
+    }
+    {
+        // As programs write it, six digits.
+        std::string obj;
+        char line[100];
+        for (const Vec3 &p : draft.positions) {
+            std::snprintf(line, sizeof line, "v %.6f %.6f %.6f\n", p.x(), p.y(), p.z());
+            obj += line;
+        }
+        for (const Triangle &t : draft.triangles) {
+            std::snprintf(line, sizeof line, "f %u %u %u\n", t[0] + 1, t[1] + 1, t[2] + 1);
+            obj += line;
+        }
+        shortest(cost.obj, runs, [&] { return io::readMeshBytes(obj, options); });
+    }
+    const TriangleMeshPointer mesh = test::meshOf(draft);
+    const auto planeAt = [](int i) {
+        return makeCutPlane({0.9 * i - 20.0, 0.3 * i, 1.0}, {1.0, 0.2, 0.05 * i - 1.0}).value();
+    };
+    shortest(cost.first, runs, [&] { return planeCut(*mesh, planeAt(7)); });
+    shortest(cost.tree, runs, [&] { return MeshTree::make(*mesh); });
+    const MeshTree tree = MeshTree::make(*mesh).value();
+    shortest(cost.cut, runs, [&] {
+        std::size_t points = 0;
+        for (int i = 0; i < kMovedPlanes; ++i)
+            for (const CutLoop &loop : planeCut(*mesh, planeAt(i), &tree).loops)
+                points += loop.points.size();
+        return points;
+    });
+    cost.cut /= kMovedPlanes;
+    const PlaneCut cut = planeCut(*mesh, planeAt(7), &tree);
+    shortest(cost.guide, runs, [&] {
+        int segments = 0;
+        for (const CutLoop &loop : cut.loops)
+            if (const Result<Contour> contour = guideCurve(loop, frameOn(cut.plane)))
+                segments += contour->segmentCount();
+        return segments;
+    });
+    const std::vector<Vec3> normals = vertexNormals(*mesh);
+    std::vector<MagneticPlane> magnets;
+    for (int i = 0; i < 4; ++i)
+        magnets.push_back({planeAt(10 * i), 25.4});
+    shortest(cost.magnetic, runs, [&] { return magneticCut(*mesh, normals, magnets); });
+    return cost;
+}
+
+struct MeshColumn
+{
+    const char *name;
+    double MeshCost::*field;
+};
+
+constexpr std::array<MeshColumn, 7> kMeshColumns{{{"STL", &MeshCost::stl},
+                                                  {"OBJ", &MeshCost::obj},
+                                                  {"first cut", &MeshCost::first},
+                                                  {"tree", &MeshCost::tree},
+                                                  {"cut", &MeshCost::cut},
+                                                  {"guide", &MeshCost::guide},
+                                                  {"magnetic", &MeshCost::magnetic}}};
+
+} // namespace
+
+std::vector<MeshCost> meshCosts(int runs, const std::optional<Kernel> &kernel)
+{
+    std::vector<MeshCost> costs;
+    for (const auto &[rows, columns] :
+         {std::pair(500, 100), std::pair(250, 125), std::pair(500, 250), std::pair(1000, 500)}) {
+        const double before = kernel ? kernel->run() : 0.0;
+        costs.push_back(meshCost(rows, columns, runs));
+        costs.back().kernel = kernel ? 0.5 * (before + kernel->run()) : 0.0;
+        QTextStream(stderr) << QString::fromStdString(costs.back().name) << Qt::endl;
+    }
+    return costs;
+}
+
+std::string meshTable(const std::vector<MeshCost> &costs)
+{
+    if (costs.empty())
+        return {};
+    const bool inKernels = costs.front().kernel > 0.0;
+    std::string out = inKernels ? "Meshes, in kernels, and times the size before\n"
+                                : "Meshes, in milliseconds, and times the size before\n";
+    char cell[128];
+    std::snprintf(cell, sizeof cell, "%-20s", "mesh");
+    out += cell;
+    for (const MeshColumn &column : kMeshColumns) {
+        std::snprintf(cell, sizeof cell, "  %10s       ", column.name);
+        out += cell;
+    }
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+        std::snprintf(cell, sizeof cell, "\n%-20s", costs[i].name.c_str());
+        out += cell;
+        const bool isNext = i > 0 && costs[i].triangles > costs[i - 1].triangles;
+        for (const MeshColumn &column : kMeshColumns) {
+            const auto valueOf = [&](const MeshCost &cost) {
+                return cost.*column.field / (inKernels ? cost.kernel : 1.0);
+            };
+            std::snprintf(cell, sizeof cell, "  %10.4f", valueOf(costs[i]));
+            out += cell;
+            if (isNext)
+                std::snprintf(cell, sizeof cell, " × %5.1f",
+                              valueOf(costs[i]) / valueOf(costs[i - 1]));
+            out += isNext ? cell : "        ";
+        }
+    }
+    return out + "\n";
+}
+
+} // namespace fff::bench

@@ -1,0 +1,34 @@
+// What meshes to draw over cost, by their size.
+#pragma once
+
+#include "tests/bench/kernel.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fff::bench {
+
+/// CPU time of one thread in milliseconds, of the shortest of the runs.
+struct MeshCost
+{
+    std::string name;
+    std::size_t triangles = 0;
+    double stl = 0.0;      // a binary STL to a mended mesh
+    double obj = 0.0;      // an OBJ to the same
+    double first = 0.0;    // a cut that looks at every triangle
+    double tree = 0.0;     // the boxes over the triangles
+    double cut = 0.0;      // a cut through these, as the plane moves
+    double guide = 0.0;    // of its loops as contours
+    double magnetic = 0.0; // drawn to four sections
+    double kernel = 0.0;   // as in Measurement
+};
+
+/// Rings of some 62,500, 250,000 and 1,000,000 triangles, and one of 100,000.
+std::vector<MeshCost> meshCosts(int runs, const std::optional<Kernel> &kernel);
+
+/// In kernels where they were run, and beside each cost how many times that of the size before it
+/// is.
+std::string meshTable(const std::vector<MeshCost> &costs);
+
+} // namespace fff::bench
