@@ -27,6 +27,7 @@ target_sources(fff_core PRIVATE
     geometry/notch.cpp
     geometry/offset.cpp
     geometry/outlines.cpp
+    geometry/path_locator.cpp
     geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/radial_contour.cpp

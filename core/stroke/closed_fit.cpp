@@ -24,10 +24,30 @@ Ends endsOf(const std::vector<Vec2> &samples, const std::vector<FittedPiece> &se
     ends.line.assign(samples.begin(), at(first + 1));
     ends.headCount = ends.line.size();
     ends.line.insert(ends.line.end(), at(last + 1), samples.end());
-    for (std::size_t k = kept.begin; k < kept.end; ++k)
+    for (std::size_t k = kept.begin; k < kept.end; ++k) {
         ends.between += lengthOf(settled[k]);
+        for (std::size_t i = settled[k].to; k + 1 < kept.end && i < settled[k + 1].from; ++i)
+            ends.between += (samples[i + 1] - samples[i]).norm();
+    }
     ends.between -= (samples[last] - samples[first]).norm();
     return ends;
+}
+
+/// The kept pieces, and what lies between them where they do not follow on each other.
+std::vector<CubicBezier> fitBetween(const std::vector<Vec2> &samples,
+                                    const std::vector<FittedPiece> &settled, const PieceRange &kept,
+                                    const FitOptions &options)
+{
+    const std::size_t first = settled[kept.begin].from, last = settled[kept.end - 1].to;
+    std::vector<FittedPiece> pieces(settled.begin() + static_cast<std::ptrdiff_t>(kept.begin),
+                                    settled.begin() + static_cast<std::ptrdiff_t>(kept.end));
+    for (FittedPiece &piece : pieces) {
+        piece.from -= first;
+        piece.to -= first;
+    }
+    return fitAround({samples.begin() + static_cast<std::ptrdiff_t>(first),
+                      samples.begin() + static_cast<std::ptrdiff_t>(last) + 1},
+                     pieces, options);
 }
 
 /// From the last kept piece over the closing to the first one.
@@ -84,9 +104,7 @@ std::optional<std::vector<CubicBezier>> closedFit(const std::vector<Vec2> &sampl
     const auto led = closedLine(ends.line, options.tolerance, reach, ends.between);
     if (!led || led->size() <= ends.headCount)
         return {};
-    std::vector<CubicBezier> chain;
-    for (std::size_t k = kept.begin; k < kept.end; ++k)
-        chain.push_back(settled[k].curve);
+    std::vector<CubicBezier> chain = fitBetween(samples, settled, kept, options);
     const std::vector<CubicBezier> across =
         fitAcross(*led, ends.headCount, settled[kept.begin], settled[kept.end - 1], options);
     chain.insert(chain.end(), across.begin(), across.end());

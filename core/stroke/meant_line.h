@@ -25,6 +25,11 @@ public:
 
     /// No two equal in a row; the first is the first sample but for noise, and the last the last.
     const std::vector<Vec2> &points() const { return m_points; }
+    /// Where a sample is among the points; their number for one that is not there yet.
+    std::size_t placeOf(std::size_t sample) const
+    {
+        return sample < m_places.size() ? m_places[sample] : m_points.size();
+    }
     /// The angle that is a corner of it (FitOptions): a larger one where much of it is guessed, as
     /// noise or bends between samples are.
     double cornerAngle() const;

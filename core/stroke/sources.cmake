@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     stroke/calmed_line.cpp
     stroke/closed_fit.cpp
     stroke/filled_line.cpp
+    stroke/guided_line.cpp
     stroke/leaving.cpp
     stroke/line_ends.cpp
     stroke/line_way.cpp

@@ -75,6 +75,29 @@ void Stroke::setSymmetryOn(bool on)
     m_contour.reset();
 }
 
+void Stroke::setGuides(std::shared_ptr<const Guides> guides)
+{
+    m_options.contour.guides = std::move(guides);
+    m_contour.reset();
+}
+
+void Stroke::setFree(bool isFree)
+{
+    m_isFree = isFree;
+}
+
+/// The samples that are drawn while no guide counts: those of the line from the last one on.
+void Stroke::noteFree()
+{
+    const std::size_t end = m_line.points().size();
+    std::vector<FreeSamples> &free = m_options.contour.free;
+    if (!m_isFree || end == 0)
+        return;
+    if (free.empty() || free.back().to + 1 < end)
+        free.push_back({end - 1, end});
+    free.back().to = end;
+}
+
 void Stroke::release()
 {
     switch (m_state) {
@@ -180,9 +203,11 @@ void Stroke::addSample(const Vec2 &point)
     if (m_hand.beginsAnew()) {
         m_line.clear();
         m_meant.clear();
+        m_options.contour.free.clear();
     }
     if (!m_line.add(meant))
         return;
+    noteFree();
     if (m_line.points().size() % kFollowed == 0)
         m_meant.follow(m_line.points());
     m_contour.reset();

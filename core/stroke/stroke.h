@@ -65,6 +65,10 @@ public:
     void viewMoved(const Vec2 &point);
     /// Whether what is one-sided is mirrored; may change while it is drawn.
     void setSymmetryOn(bool on);
+    /// Curves on the canvas that the contour follows where it comes near them; null: none.
+    void setGuides(std::shared_ptr<const Guides> guides);
+    /// Whether what is drawn from now on goes free of them.
+    void setFree(bool isFree);
     /// Where the last move was.
     void release();
     void cancel();
@@ -102,6 +106,7 @@ private:
     void moveInSection(const Sample &sample);
     void moveInDeadZone(const Vec2 &point);
     void addSample(const Vec2 &point);
+    void noteFree();
     void refuse(Refusal refusal);
     double distanceToSlit(const Vec2 &point) const;
 
@@ -115,6 +120,7 @@ private:
     Vec2 m_last = Vec2::Zero();
     SteadyHand m_hand;
     ThinnedLine m_line;
+    bool m_isFree = false;
     mutable MeantLine m_meant; // follows when it is looked at, and every so often
     mutable std::optional<StrokeContour> m_contour;
 };

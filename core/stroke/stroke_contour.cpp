@@ -102,20 +102,51 @@ std::vector<FittedPiece> within(const MeantEnds &ends, const std::vector<FittedP
     return pieces;
 }
 
-void closePlain(const std::vector<Vec2> &samples, const MeantLine &meant, double tolerance,
+/// The line that is closed: as it is meant, or with what guides made of it.
+struct LineToClose
+{
+    const std::vector<Vec2> &points;
+    const std::vector<FittedPiece> &known; // of its fit
+    double cornerAngle = 0.0;
+    bool isGuided = false;
+};
+
+/// A line that begins and ends on a guide, and goes on there from its end to its beginning.
+void closeLoop(const LineToClose &line, const FitOptions &options, StrokeContour &stroke)
+{
+    // The first piece again, so that the line knows how it arrives there.
+    std::vector<Vec2> points = line.points;
+    std::vector<FittedPiece> known = line.known;
+    FittedPiece again = known.front();
+    again.from = points.size() - 1;
+    again.to = points.size();
+    points.push_back(again.curve.p3);
+    known.push_back(again);
+    stroke.fitted = fitAround(points, known, options);
+    stroke.fitted.pop_back();
+    stroke.fitted.back().p3 = stroke.fitted.front().p0;
+}
+
+void closePlain(const std::vector<Vec2> &samples, const LineToClose &line, double tolerance,
                 double smallest, StrokeContour &stroke)
 {
-    const std::optional<std::vector<Vec2>> hasty = filledRound(samples, tolerance);
     const FitOptions options{
-        .tolerance = tolerance, .cornerAngle = meant.cornerAngle(), .work = &stroke.work};
-    const MeantEnds ends = meantEnds(hasty ? *hasty : meant.points(), tolerance);
+        .tolerance = tolerance, .cornerAngle = line.cornerAngle, .work = &stroke.work};
+    if (line.isGuided && stroke.guided->isLoop) {
+        closeLoop(line, options, stroke);
+        close(stroke.fitted, smallest, stroke);
+        return;
+    }
+    const std::optional<std::vector<Vec2>> hasty =
+        line.isGuided ? std::nullopt : filledRound(samples, tolerance);
+    const MeantEnds ends = meantEnds(hasty ? *hasty : line.points, tolerance);
     stroke.wasCrossing = ends.isLoop;
-    if (auto loop = smallRound(ends.line, smallest)) {
+    if (auto loop = line.isGuided ? std::nullopt : smallRound(ends.line, smallest)) {
         stroke.fitted = *std::move(loop);
         close(stroke.fitted, smallest, stroke);
         return;
     }
-    const std::vector<FittedPiece> settled = within(ends, meant.settled().pieces());
+    const std::vector<FittedPiece> settled = within(ends, line.known);
     // Nothing leads on over a corner, so there is nothing to share out.
     auto loop = ends.isCorner ? std::nullopt : closedFit(ends.line, settled, options);
     if (loop) {
@@ -139,11 +170,11 @@ void closePlain(const std::vector<Vec2> &samples, const MeantLine &meant, double
 }
 
 /// False when the halves would not meet; then nothing is changed.
-bool closeMirrored(const MeantLine &meant, double tolerance, double smallest, StrokeContour &stroke)
+bool closeMirrored(const LineToClose &line, double tolerance, double smallest,
+                   StrokeContour &stroke)
 {
-    std::optional<MirroredHalf> half =
-        mirroredHalf(meant.points(), *stroke.axis, *stroke.symmetry, tolerance,
-                     meant.settled().pieces(), &stroke.work);
+    std::optional<MirroredHalf> half = mirroredHalf(line.points, *stroke.axis, *stroke.symmetry,
+                                                    tolerance, line.known, &stroke.work);
     if (!half)
         return false;
     std::vector<CubicBezier> chain = std::move(half->outline);
@@ -158,18 +189,39 @@ bool closeMirrored(const MeantLine &meant, double tolerance, double smallest, St
     return true;
 }
 
+/// Of the line that is meant, the points by which no guide catches it.
+std::vector<FreeSamples> freePoints(const MeantLine &meant, const std::vector<FreeSamples> &samples)
+{
+    std::vector<FreeSamples> points;
+    for (const FreeSamples &free : samples)
+        points.push_back({meant.placeOf(free.from), meant.placeOf(free.to)});
+    return points;
+}
+
 /// tolerance: that it is fitted to
 void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, double tolerance,
                  const StrokeContourOptions &options, StrokeContour &stroke)
 {
     if (options.axis)
         stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
+    if (options.guides)
+        stroke.guided = guided(meant.points(), freePoints(meant, options.free), *options.guides);
+    if (stroke.guided && stroke.guided->whole) {
+        const PathLocator &guide = options.guides->lines[*stroke.guided->whole];
+        stroke.fitted = guide.piece(0.0, guide.length());
+        close(stroke.fitted, options.tolerance, stroke);
+        return;
+    }
+    const bool isGuided = stroke.guided && !stroke.guided->pieces.empty();
+    const LineToClose line{isGuided ? stroke.guided->points : meant.points(),
+                           isGuided ? stroke.guided->pieces : meant.settled().pieces(),
+                           meant.cornerAngle(), isGuided};
     stroke.isMirrored = stroke.symmetry && stroke.symmetry->isOneSided && options.isSymmetryOn;
-    if (stroke.isMirrored && closeMirrored(meant, tolerance, options.tolerance, stroke))
+    if (stroke.isMirrored && closeMirrored(line, tolerance, options.tolerance, stroke))
         return;
     stroke.doHalvesMeet = !stroke.isMirrored;
     stroke.isMirrored = false;
-    closePlain(samples, meant, tolerance, options.tolerance, stroke);
+    closePlain(samples, line, tolerance, options.tolerance, stroke);
 }
 
 } // namespace

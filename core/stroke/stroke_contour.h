@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/geometry/contour.h"
+#include "core/stroke/guided_line.h"
 #include "core/stroke/meant_line.h"
 #include "core/stroke/symmetry.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,7 +18,9 @@ struct StrokeContourOptions
     /// Across which a stroke on one side is mirrored; none where there is nothing to mirror at.
     std::optional<MirrorAxis> axis = {};
     double mirrorRatio = kMirrorRatio;
-    bool isSymmetryOn = true; // off: the axis is judged, not used
+    bool isSymmetryOn = true;                  // off: the axis is judged, not used
+    std::shared_ptr<const Guides> guides = {}; // that it follows; null: none
+    std::vector<FreeSamples> free = {};        // of the samples, by which it does not
 };
 
 /// What is seen while drawing and what a release makes, from one and the same fit.
@@ -49,6 +53,8 @@ struct StrokeContour
     std::optional<SymmetryVerdict> symmetry; // of the samples, where there is an axis
     bool isMirrored = false;                 // one-sided, symmetry is on, and the halves meet
     bool doHalvesMeet = true;                // false: not mirrored for this, it would be two pieces
+
+    std::optional<GuidedLine> guided; // where there are guides: what it follows of them
 
     /// What it took, in samples that were looked at: the same on every machine.
     std::size_t work = 0;
