@@ -22,6 +22,7 @@ using StockId = Id<struct StockTag>;
 using LoadId = Id<struct LoadTag>;
 using OperationId = Id<struct OperationTag>;
 using DimensionId = Id<struct DimensionTag>;
+using TemplateId = Id<struct TemplateTag>;
 
 } // namespace fff
 

@@ -67,5 +67,7 @@ inline constexpr double kGroundSunk = 0.2;
 
 /// Deviation from orthonormal axes that is rounding of a file, not a skew frame (no unit).
 inline constexpr double kFrameRounding = 1e-4;
+/// Axes this near to orthonormal are what rounding in double leaves: kept bit for bit (no unit).
+inline constexpr double kExactFrame = 1e-9;
 
 } // namespace fff

@@ -29,6 +29,9 @@ struct Similarity
     }
 };
 
+/// From the coordinates of a frame (x, y, along its normal) to those of the space that it is in.
+Similarity placementOf(const Frame &frame);
+
 /// A reflection keeps the coordinates in the frame; its normal is the other one then.
 Frame placed(const Frame &frame, const Similarity &placement);
 

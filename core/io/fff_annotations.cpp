@@ -84,6 +84,16 @@ MarkPointer readMark(const JsonCursor &cursor)
 
 } // namespace
 
+void writeFrame(JsonWriter &json, const Frame &frame)
+{
+    json.key("frame");
+    json.beginObject();
+    json.member("origin", frame.origin);
+    json.member("x", frame.x);
+    json.member("y", frame.y);
+    json.endObject();
+}
+
 void writeFigures(JsonWriter &json, const Section &section)
 {
     if (section.figures.empty())

@@ -17,6 +17,9 @@ void writeMarks(JsonWriter &json, const Section &section);
 void writeDimensions(JsonWriter &json, const Document &document);
 void writeNumbers(JsonWriter &json, const Document &document);
 
+/// The member "frame".
+void writeFrame(JsonWriter &json, const Frame &frame);
+
 /// What a later version knows, or a hand has spoilt, is no figure: the boundary is there all the
 /// same.
 std::vector<Figure> readFigures(const JsonCursor &cursor, const ShapePointer &shape);
@@ -27,6 +30,7 @@ struct ReferenceReaders
 {
     std::function<SectionRef(const JsonCursor &)> readRef;
     std::function<std::int64_t(const JsonCursor &)> readId;
+    std::function<Frame(const JsonCursor &, const std::string &ofWhat)> readFrame;
 };
 std::vector<Dimension> readDimensions(const JsonCursor &cursor, const ReferenceReaders &readers);
 std::vector<NamedNumber> readNumbers(const JsonCursor &cursor);

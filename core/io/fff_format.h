@@ -27,6 +27,9 @@
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ],
 //       "dimensions": [ { "id", "from": { "section": ref, "at": [x, y, z] }, "to": … } ],
 //       "numbers":    [ { "name", "expression", "value" } ],
+//       "templates":  [ { "id", "kind": "mesh|picture|curves", "name", "blob": its SHA-256, "file",
+//                         "on": ref, "frame", "scale", "flipped", "opacity", "hidden", "locked",
+//                         "magnets": [ { "section": ref, "radius" } ] } ],
 //       "blobs":      [ { "sha256", "mediaType", "name" } ] }
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
@@ -35,7 +38,8 @@
 // made of, as far as they are as those still, "symmetry", to which line it stays symmetric when its
 // points are edited (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark
 // "lettering"; "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor
-// "section"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
+// "section"; "templates" (core/model/template.h), of one all that is not said of it by default,
+// and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
 // these "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175),
 // "leadIn" and "bumps" (0); of an operation "on" (then true) and "exceptions". Kinds of operations,
 // their roles and parameters: core/operations; a file keeps also those that do not count. `joints`

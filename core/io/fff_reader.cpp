@@ -5,6 +5,7 @@
 #include "core/io/fff_loads.h"
 #include "core/io/fff_migration.h"
 #include "core/io/fff_operations.h"
+#include "core/io/fff_templates.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
 #include "core/model/joint_kind_names.h"
@@ -23,8 +24,6 @@ namespace {
 
 /// Whole numbers up to here are exact in every reader of JSON.
 constexpr std::int64_t kMaxId = std::int64_t(1) << 53;
-/// Axes this near to orthonormal (no unit) are what rounding in double leaves: kept bit for bit.
-constexpr double kExactFrame = 1e-9;
 
 class FffReader
 {
@@ -43,7 +42,7 @@ private:
     void readSlitForm(const JsonCursor &cursor, Stock &stock);
     Contour readContour(const JsonCursor &cursor);
     ShapePointer readShape(const JsonCursor &cursor);
-    Frame readFrame(const JsonCursor &cursor, const std::string &sectionName);
+    Frame readFrame(const JsonCursor &cursor, const std::string &ofWhat);
     std::optional<Parent> readParent(const JsonCursor &cursor);
     std::optional<MirrorAxis> readSymmetry(const JsonCursor &cursor);
     SectionPointer readSection(const JsonCursor &cursor, const std::vector<ShapePointer> &shapes);
@@ -198,7 +197,7 @@ ShapePointer FffReader::readShape(const JsonCursor &cursor)
     return nullptr;
 }
 
-Frame FffReader::readFrame(const JsonCursor &cursor, const std::string &sectionName)
+Frame FffReader::readFrame(const JsonCursor &cursor, const std::string &ofWhat)
 {
     Frame frame;
     frame.origin = cursor.member("origin").point3();
@@ -216,7 +215,7 @@ Frame FffReader::readFrame(const JsonCursor &cursor, const std::string &sectionN
         cursor.fail(ErrorCode::DegenerateFrame);
         return frame;
     }
-    m_problems.warn(WarningCode::SkewFrame, cursor.path(), {sectionName, shortNumber(deviation)});
+    m_problems.warn(WarningCode::SkewFrame, cursor.path(), {ofWhat, shortNumber(deviation)});
     return *mended;
 }
 
@@ -395,11 +394,14 @@ Document FffReader::read(const JsonCursor &root)
     }
     const ReferenceReaders readers{
         .readRef = [this](const JsonCursor &item) { return readRef(item); },
-        .readId = [this](const JsonCursor &item) { return readId(item); }};
+        .readId = [this](const JsonCursor &item) { return readId(item); },
+        .readFrame = [this](const JsonCursor &item,
+                            const std::string &ofWhat) { return readFrame(item, ofWhat); }};
     document.loads = readLoads(root.member("weights"), root.member("pushes"), readers);
     readJoints(root.member("joints"), document.jointOverrides);
     document.dimensions = readDimensions(root.member("dimensions"), readers);
     document.numbers = readNumbers(root.member("numbers"));
+    document.templates = readTemplates(root.member("templates"), readers);
     if (!m_problems.failed())
         document.blobs = readBlobs(root.member("blobs"), m_blobs, m_problems);
     return document;

@@ -3,6 +3,7 @@
 #include "core/io/fff_format.h"
 #include "core/io/fff_loads.h"
 #include "core/io/fff_operations.h"
+#include "core/io/fff_templates.h"
 #include "core/io/json_writer.h"
 #include "core/model/joint_kind_names.h"
 
@@ -129,12 +130,7 @@ void writeSection(JsonWriter &json, const Section &section, std::size_t shapeInd
         json.key("parent");
         writeParent(json, *section.parent);
     }
-    json.key("frame");
-    json.beginObject();
-    json.member("origin", section.frame.origin);
-    json.member("x", section.frame.x);
-    json.member("y", section.frame.y);
-    json.endObject();
+    writeFrame(json, section.frame);
     if (section.symmetry) {
         json.key("symmetry");
         json.beginObject(Layout::Line);
@@ -228,6 +224,7 @@ Result<std::string> writeFff(const Document &document)
     json.endArray();
     writeDimensions(json, document);
     writeNumbers(json, document);
+    writeTemplates(json, document);
     writeBlobs(json, document);
     json.endObject();
     // A file with a null for a number could not be read again.

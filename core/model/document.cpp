@@ -63,6 +63,13 @@ const Load *Document::find(LoadId id) const
     return it == loads.end() ? nullptr : &*it;
 }
 
+const Template *Document::find(TemplateId id) const
+{
+    const auto it = std::find_if(templates.begin(), templates.end(),
+                                 [id](const TemplatePointer &one) { return one->id == id; });
+    return it == templates.end() ? nullptr : it->get();
+}
+
 const Blob *Document::findBlob(std::string_view sha256) const
 {
     const auto found = std::lower_bound(
@@ -96,7 +103,8 @@ bool Document::isSame(const Document &other) const
 {
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
            loads == other.loads && jointOverrides == other.jointOverrides &&
-           dimensions == other.dimensions && numbers == other.numbers && blobs == other.blobs &&
+           dimensions == other.dimensions && numbers == other.numbers &&
+           templates == other.templates && blobs == other.blobs &&
            currentStock == other.currentStock;
 }
 
@@ -105,8 +113,9 @@ bool Document::operator==(const Document &other) const
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
            equalValues(operations, other.operations) && loads == other.loads &&
            equalValues(jointOverrides, other.jointOverrides) && dimensions == other.dimensions &&
-           numbers == other.numbers && equalValues(blobs, other.blobs) &&
-           currentStock == other.currentStock && nextId == other.nextId;
+           numbers == other.numbers && equalValues(templates, other.templates) &&
+           equalValues(blobs, other.blobs) && currentStock == other.currentStock &&
+           nextId == other.nextId;
 }
 
 Document newDocument()

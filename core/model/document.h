@@ -9,6 +9,7 @@
 #include "core/model/operation.h"
 #include "core/model/section.h"
 #include "core/model/stock.h"
+#include "core/model/template.h"
 
 #include <memory>
 #include <string>
@@ -27,8 +28,9 @@ struct Document
     std::vector<Load> loads;
     std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
     std::vector<Dimension> dimensions;
-    std::vector<NamedNumber> numbers; // by which numbers can be called in fields
-    std::vector<BlobPointer> blobs;   // ascending by sha256, each once
+    std::vector<NamedNumber> numbers;       // by which numbers can be called in fields
+    std::vector<TemplatePointer> templates; // as they are listed
+    std::vector<BlobPointer> blobs;         // ascending by sha256, each once
     StockId currentStock;
     std::int64_t nextId = 1;
 
@@ -40,6 +42,7 @@ struct Document
     const Stock *find(StockId id) const;
     const Operation *find(OperationId id) const;
     const Load *find(LoadId id) const;
+    const Template *find(TemplateId id) const;
     const Blob *findBlob(std::string_view sha256) const;
     /// Of two sections in any order, or null. O(log overrides).
     const JointOverride *jointOverride(const SectionRef &first, const SectionRef &second) const;

@@ -1,11 +1,13 @@
 #include "core/model/edits.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/similarity.h"
 #include "core/model/dimensions.h"
 #include "core/model/figures.h"
 #include "core/model/naming.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace fff {
 
@@ -119,6 +121,31 @@ Result<Document> addSections(Document document, std::vector<NewSection> sections
     return document;
 }
 
+namespace {
+
+/// What lies on a section that goes stays where it is, in the world; a mesh is let go by it.
+void leaveTemplates(Document &document, const std::vector<SectionPointer> &before,
+                    const std::function<bool(SectionId)> &isRemoved)
+{
+    for (TemplatePointer &pointer : document.templates) {
+        Template next = *pointer;
+        std::erase_if(next.magnets,
+                      [&](const Magnet &magnet) { return isRemoved(magnet.section.drawn); });
+        if (isRemoved(next.on.drawn)) {
+            const auto ground =
+                std::find_if(before.begin(), before.end(), [&next](const SectionPointer &section) {
+                    return section->id == next.on.drawn;
+                });
+            next.frame = placed(next.frame, placementOf((*ground)->frame));
+            next.on = {};
+        }
+        if (next != *pointer)
+            pointer = std::make_shared<const Template>(std::move(next));
+    }
+}
+
+} // namespace
+
 Result<Document> removeSections(Document document, std::span<const SectionId> ids)
 {
     const auto isRemoved = [&](SectionId id) {
@@ -129,6 +156,7 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
             return unknown(id);
     }
     noteNames(document, ids);
+    const std::vector<SectionPointer> before = document.sections;
     std::erase_if(document.sections, [&](const SectionPointer &s) { return isRemoved(s->id); });
     std::erase_if(document.loads, [&](const Load &w) { return isRemoved(w.section.drawn); });
     std::erase_if(document.dimensions, [&](const Dimension &dimension) {
@@ -137,6 +165,7 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
     std::erase_if(document.jointOverrides, [&](const JointOverridePointer &joint) {
         return isRemoved(joint->a.drawn) || isRemoved(joint->b.drawn);
     });
+    leaveTemplates(document, before, isRemoved);
     for (SectionPointer &pointer : document.sections) {
         if (pointer->parent && isRemoved(pointer->parent->section.drawn)) {
             Section orphan = *pointer;
@@ -160,6 +189,13 @@ Document moveAll(Document document, const Vec3 &way)
         Section next = *pointer;
         next.frame.origin += way;
         pointer = std::make_shared<const Section>(std::move(next));
+    }
+    for (TemplatePointer &pointer : document.templates) {
+        if (pointer->on != SectionRef())
+            continue;
+        Template next = *pointer;
+        next.frame.origin += way;
+        pointer = std::make_shared<const Template>(std::move(next));
     }
     return document;
 }

@@ -27,5 +27,7 @@ target_sources(fff_core PRIVATE
     model/step.cpp
     model/stock.cpp
     model/symmetric_section.cpp
+    model/template.cpp
+    model/template_edits.cpp
     model/transformed.cpp
 )

@@ -2,6 +2,8 @@
 
 #include "core/geometry/mapped_contour.h"
 
+#include <cmath>
+
 namespace fff {
 
 Result<ShapePointer> mappedShape(const ShapePointer &shape, const PlaneMap &map)
@@ -69,9 +71,29 @@ Parent transformed(Parent parent, const Similarity &placement)
     return parent;
 }
 
+namespace {
+
+/// As large as the map makes areas; what lies aslant in a plane that is stretched stays as it lies.
+void mapTemplates(Document &document, const std::function<bool(const SectionRef &)> &isMapped,
+                  const PlaneMap &map)
+{
+    const double scale = std::sqrt(std::abs(map.matrix.determinant()));
+    for (TemplatePointer &pointer : document.templates) {
+        if (pointer->on == SectionRef() || !isMapped(pointer->on) || map.isIdentity())
+            continue;
+        Template next = *pointer;
+        next.frame.origin.head<2>() = map(next.frame.origin.head<2>());
+        next.scale *= scale;
+        pointer = std::make_shared<const Template>(std::move(next));
+    }
+}
+
+} // namespace
+
 void mapPlaces(Document &document, const std::function<bool(const SectionRef &)> &isMapped,
                const PlaneMap &map)
 {
+    mapTemplates(document, isMapped, map);
     for (Load &load : document.loads)
         if (isMapped(load.section))
             load.position = map(load.position);

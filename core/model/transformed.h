@@ -45,7 +45,8 @@ Section asCopy(Section section);
 Parent transformed(Parent parent, const Similarity &placement);
 
 /// What the document keeps at places of these sections, as the map of their planes puts it:
-/// weights, ends of dimensions, which keep their height above it, and shares of joints.
+/// weights, ends of dimensions, which keep their height above it, shares of joints, and templates
+/// that lie on them.
 void mapPlaces(Document &document, const std::function<bool(const SectionRef &)> &isMapped,
                const PlaneMap &map);
 

@@ -65,6 +65,15 @@ void followInDocument(Document &document, const Model &model, const Replacements
     for (Dimension &dimension : document.dimensions)
         for (Anchor *anchor : {&dimension.from, &dimension.to})
             anchor->section = follow(replacements, anchor->section);
+    for (TemplatePointer &pointer : document.templates) {
+        Template next = *pointer;
+        next.on = follow(replacements, next.on);
+        for (Magnet &magnet : next.magnets)
+            magnet.section = follow(replacements, magnet.section);
+        settleMagnets(next);
+        if (next != *pointer)
+            pointer = std::make_shared<const Template>(std::move(next));
+    }
     std::vector<JointOverridePointer> joints;
     joints.swap(document.jointOverrides);
     for (const JointOverridePointer &joint : joints) {

@@ -1,5 +1,6 @@
 #include "core/operations/insertion.h"
 
+#include "core/model/edits.h"
 #include "core/model/named_numbers.h"
 #include "core/operations/evaluate.h"
 
@@ -66,6 +67,7 @@ private:
     void settleParents();
     void addOperations();
     void addMarks();
+    void addTemplates();
     Operation moved(const Operation &operation) const;
 
     const Document &m_other;
@@ -214,6 +216,25 @@ void Inserter::addOperations()
     }
 }
 
+void Inserter::addTemplates()
+{
+    Document &document = m_result.document;
+    for (const BlobPointer &blob : m_other.blobs)
+        document = addBlob(std::move(document), blob);
+    FreeNames names(document.templates, m_other.templates);
+    for (const TemplatePointer &pointer : m_other.templates) {
+        Template next = *pointer;
+        next.id = moved(next.id);
+        next.name = names.take(next.name);
+        if (next.on != SectionRef())
+            next.on = moved(next.on);
+        for (Magnet &magnet : next.magnets)
+            magnet.section = moved(magnet.section);
+        settleMagnets(next);
+        document.templates.push_back(std::make_shared<const Template>(std::move(next)));
+    }
+}
+
 void Inserter::addMarks()
 {
     Document &document = m_result.document;
@@ -229,6 +250,7 @@ void Inserter::addMarks()
                 anchor->section = moved(anchor->section);
         document.dimensions.push_back(std::move(dimension));
     }
+    addTemplates();
     // What is called so here already means what it means here.
     for (const NamedNumber &number : m_other.numbers)
         if (!findNumber(document, number.name))

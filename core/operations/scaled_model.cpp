@@ -92,6 +92,17 @@ Result<Document> scaledModel(Document document, double factor)
             else
                 anchor->at.z() *= factor; // so that lengths are as many times as long
         }
+    for (TemplatePointer &pointer : document.templates) {
+        Template next = *pointer;
+        if (next.on == SectionRef()) {
+            next.frame.origin *= factor;
+            next.scale *= factor;
+        }
+        for (Magnet &magnet : next.magnets)
+            magnet.radius *= factor;
+        if (next != *pointer)
+            pointer = std::make_shared<const Template>(std::move(next));
+    }
     return document;
 }
 

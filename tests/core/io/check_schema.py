@@ -15,9 +15,10 @@ import jsonschema
 # refusal of a single value (BadValue) has to be the schema's, too.
 BEYOND_SCHEMA = ("an id below nextId", "a parent that does not descend from its child",
                  "a direction of length 1", "something wanted of two sections, pairs ascending",
-                 "something other than made, each instance once", "more than minus the thickness")
-VARIED = ("data/fff/two_sections.fff", "data/fff/annotated.fff", "data/fff/with_blobs.fff", "seeds/fff/generated.fff", "seeds/fff/joints.fff",
-          "seeds/fff/operations.fff")
+                 "something other than made, each instance once", "more than minus the thickness",
+                 "nothing: only meshes are pulled", "nothing: a mesh lies on no section")
+VARIED = ("data/fff/two_sections.fff", "data/fff/annotated.fff", "data/fff/with_blobs.fff", "data/fff/with_templates.fff",
+          "seeds/fff/generated.fff", "seeds/fff/joints.fff", "seeds/fff/operations.fff")
 OTHER_VALUES = [None, True, "text", "", -1, 0, 0.5, 1, 2.0, 7, 1e7, -1e7, 2**53 + 2, [], [1], {}]
 
 

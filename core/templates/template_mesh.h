@@ -1,0 +1,30 @@
+// What a template of a document is, once its bytes are read.
+#pragma once
+
+#include "core/geometry/similarity.h"
+#include "core/model/template.h"
+#include "core/templates/mesh_report.h"
+#include "core/templates/mesh_tree.h"
+
+namespace fff {
+
+/// A mesh that is ready to be cut. Immutable.
+struct TemplateMesh
+{
+    TriangleMeshPointer mesh; // in the file's coordinates; never null
+    MeshTree tree;            // of it
+    MeshReport report;
+
+    Vec3 middle() const { return 0.5 * (mesh->bounds().min + mesh->bounds().max); }
+};
+
+/// Errors  Cancelled.
+Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshReport report,
+                                             const LongWork &work = {});
+
+/// From the mesh's coordinates to the world.
+Similarity worldPlacement(const Template &one, const TemplateMesh &mesh);
+/// In the world, of all vertices. O(vertices).
+Box3 worldBounds(const Template &one, const TemplateMesh &mesh);
+
+} // namespace fff
