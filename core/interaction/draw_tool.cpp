@@ -72,6 +72,7 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
     if (event.isPress()) {
         context.camera =
             retargeted(context.camera, m_canvas.target.canvas.origin, context.viewport);
+        m_press = event.position;
         m_stroke = std::make_unique<StrokeGesture>(event, m_canvas.target, context);
         return {};
     }
@@ -82,8 +83,54 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
         return reply;
     m_stroke.reset();
     context.overlay.drawn.clear();
+    if (!reply.commit && isClickOnGuide(event, context))
+        return takeGuide(context);
     if (!reply.commit) // came to nothing: once more
         reply.state = GestureReply::State::Running;
+    return reply;
+}
+
+/// Those that are there whatever is drawn: a click on one of them takes it.
+void DrawTool::lookAtTemplates(const GestureContext &context)
+{
+    if (m_templates.canvas() == m_canvas.target.canvas && m_cut == context.model.document.templates)
+        return;
+    m_cut = context.model.document.templates;
+    m_templates = TemplateGuides(context.model, m_canvas.target.canvas);
+}
+
+bool DrawTool::isClickOnGuide(const PointerEvent &release, const GestureContext &context) const
+{
+    if ((release.position - m_press).norm() > context.settings.dragThreshold)
+        return false;
+    const auto at = pointOnPlane(context.camera, context.viewport, m_canvas.target.canvas, m_press);
+    return at && m_templates.isAt(*at, kGuideClick * context.camera.millimetresPerPixel);
+}
+
+bool DrawTool::hasGuide() const
+{
+    return m_stroke ? m_stroke->hasGuide() : !m_templates.isEmpty();
+}
+
+GestureReply DrawTool::takeGuide(GestureContext &context)
+{
+    if (m_stroke)
+        return m_stroke->takeGuide(context);
+    GestureReply reply;
+    const auto whole = m_templates.whole(0.0);
+    if (!whole) {
+        reply.note = Hint::refusal(hints::kFailed);
+        return reply;
+    }
+    auto drawn = drawWhole(context.model.document, m_canvas.target, *whole,
+                           {context.settings.cutsAtGround, context.settings.naming, {}});
+    if (!drawn) {
+        reply.note = drawn.error();
+        return reply;
+    }
+    reply.state = GestureReply::State::Over;
+    reply.note = std::move(drawn->note);
+    reply.commit = {std::move(drawn->step), std::move(drawn->document)};
     return reply;
 }
 
@@ -144,6 +191,9 @@ void DrawTool::mark(GestureContext &context, bool)
     context.overlay.drawn.remove<sign::Rulers>(); // of the stroke: these follow the view
     context.overlay.held.add(
         sign::Rulers{ownGrid(m_canvas.target.canvas, context.camera.orientation)});
+    lookAtTemplates(context);
+    if (!m_stroke)
+        m_templates.show(nullptr, context.overlay.held);
     if (m_canvas.distance && !m_stroke)
         context.overlay.held.add(planeMark(m_canvas.target.canvas, context));
 }

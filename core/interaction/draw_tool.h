@@ -28,6 +28,8 @@ public:
     GestureReply modelChanged(GestureContext &context) override;
     /// A stroke first, then the tool, with the view from before.
     GestureReply cancel(GestureContext &context) override;
+    bool hasGuide() const override;
+    GestureReply takeGuide(GestureContext &context) override;
     void mark(GestureContext &context, bool hasCursor) override;
     /// The distance of a parallel plane, until a stroke is begun.
     std::vector<ToolNumber> numbers() const override;
@@ -37,8 +39,14 @@ public:
     Cursor cursor() const override { return Cursor::Pencil; }
 
 private:
+    void lookAtTemplates(const GestureContext &context);
+    bool isClickOnGuide(const PointerEvent &release, const GestureContext &context) const;
+
     CanvasChoice m_canvas;
-    std::optional<Camera> m_before; // the turn
+    TemplateGuides m_templates;         // of that canvas,
+    std::vector<TemplatePointer> m_cut; // of these
+    Vec2 m_press = Vec2::Zero();        // px
+    std::optional<Camera> m_before;     // the turn
     std::unique_ptr<StrokeGesture> m_stroke;
     bool m_isOnEdge = false; // as the view looks at the canvas now
 };

@@ -71,6 +71,10 @@ public:
     virtual bool hasOffer() const { return false; }
     virtual void takeOffer() {}
 
+    /// What it draws could go all round a guide at once (Interaction::takeGuide).
+    virtual bool hasGuide() const { return false; }
+    virtual GestureReply takeGuide(GestureContext & /*context*/) { return {}; }
+
     /// It moves the view alone: what lies over the model stays.
     virtual bool isOfView() const { return false; }
     /// It drags control points, which are shown meanwhile.

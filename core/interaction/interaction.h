@@ -196,6 +196,10 @@ public:
     bool hasOffer() const;
     /// Commits it, or goes on with it; does nothing where there is none.
     void takeOffer(double time);
+    /// What is being drawn could go all round a guide (Gesture::hasGuide).
+    bool hasGuide() const;
+    /// It does, and is over; does nothing where there is none.
+    void takeGuide(double time);
     /// What edits of points go by.
     PointRules pointRules() const;
 

@@ -34,4 +34,22 @@ void Interaction::takeOffer(double time)
     d->update();
 }
 
+bool Interaction::hasGuide() const
+{
+    return d->gesture ? d->gesture->hasGuide() : d->tool && d->tool->hasGuide();
+}
+
+void Interaction::takeGuide(double time)
+{
+    d->moveOn(time);
+    if (!hasGuide())
+        return;
+    GestureContext context = d->context();
+    if (d->gesture)
+        d->take(d->gesture->takeGuide(context));
+    else
+        d->takeFromTool(d->tool->takeGuide(context));
+    d->update();
+}
+
 } // namespace fff

@@ -146,6 +146,21 @@ struct Stroke
     std::optional<Vec2> size;
     bool operator==(const Stroke &) const { return false; }
 };
+/// The curves in which a canvas cuts templates, frame coordinates of the canvas.
+struct Guides
+{
+    struct Loop
+    {
+        Polygon points;
+        bool isHole = false;
+        bool operator==(const Loop &) const = default;
+    };
+    Frame canvas;
+    std::vector<Loop> loops;
+    std::vector<Vec2> turnouts; // where what is drawn leaves one, or comes to it
+    std::optional<Vec2> caught; // what is drawn follows one there
+    bool operator==(const Guides &) const = default;
+};
 /// Where the canvas meets the ground: a line without ends.
 struct Ground
 {
@@ -179,7 +194,7 @@ struct Joints
 
 using Sign =
     std::variant<sign::Line, sign::Curve, sign::Handle, sign::Label, sign::Region, sign::Capsule,
-                 sign::Arrow, sign::Band, sign::Slit, sign::Stroke, sign::Ground, sign::Rulers,
-                 sign::Points, sign::Joints, PenMarks, GizmoMarks, OperationMarks>;
+                 sign::Arrow, sign::Band, sign::Slit, sign::Stroke, sign::Guides, sign::Ground,
+                 sign::Rulers, sign::Points, sign::Joints, PenMarks, GizmoMarks, OperationMarks>;
 
 } // namespace fff

@@ -61,8 +61,10 @@ target_sources(fff_core PRIVATE
     interaction/steps_player.cpp
     interaction/steps_tool.cpp
     interaction/stroke_gesture.cpp
+    interaction/stroke_gesture_guides.cpp
     interaction/stroke_gesture_shown.cpp
     interaction/symmetry_editing.cpp
+    interaction/template_guides.cpp
     interaction/transform_tool.cpp
     interaction/turning_drag.cpp
     interaction/view_cube.cpp

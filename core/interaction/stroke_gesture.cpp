@@ -85,6 +85,7 @@ StrokeGesture::StrokeGesture(const PointerEvent &press, ContourTarget target,
     if (!axis && m_target.purpose == ContourTarget::Purpose::NewSection)
         axis = MirrorAxis{start, upOn(m_target.canvas, context.camera)};
     m_stroke = Stroke(strokeOptions(context, axis, m_mirrors != press.modifiers.shift));
+    followTemplates(context);
     m_stroke.beginOnCanvas({press.time, start});
 }
 
@@ -121,6 +122,7 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     advance(event.time, context);
     m_cursor = event.position;
     m_stroke.setSymmetryOn(m_mirrors != event.modifiers.shift);
+    m_stroke.setFree(event.modifiers.control);
     if (event.type != PointerEvent::Type::Modifiers) {
         if (m_stroke.state() == Stroke::State::Turn)
             followHand(event, context);
@@ -131,6 +133,7 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     if (m_stroke.state() == Stroke::State::Slit) {
         leadSlit(event, context);
         lookAtWalls(context);
+        lookAtTemplates(context);
     }
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
@@ -232,6 +235,7 @@ void StrokeGesture::beginTurn(const PointerEvent &event, GestureContext &context
     m_target = ContourTarget::newSection(
         m_turn->canvas(), Parent{m_ground->ref, m_stroke.slitFrom(), m_stroke.slitTo()});
     m_target.right = m_turn->right();
+    followTemplates(context);
     lookAtWalls(context);
     if (m_missing) {
         const Document &document = context.model.document;

@@ -7,6 +7,7 @@
 #include "core/interaction/gesture.h"
 #include "core/interaction/hand_in_turn.h"
 #include "core/interaction/slit_guides.h"
+#include "core/interaction/template_guides.h"
 #include "core/stroke/stroke.h"
 
 namespace fff {
@@ -49,6 +50,8 @@ public:
     /// The slit has material on one side only: moved in from the edge it has it on both.
     bool hasOffer() const override;
     void takeOffer() override { m_isMovedIn = true; }
+    bool hasGuide() const override;
+    GestureReply takeGuide(GestureContext &context) override;
     Hint hint() const override;
     Cursor cursor() const override;
 
@@ -69,6 +72,9 @@ private:
     Camera view(const GestureContext &context) const;
     void leadSlit(const PointerEvent &event, const GestureContext &context);
     void lookAtWalls(const GestureContext &context);
+    void lookAtTemplates(const GestureContext &context);
+    void followTemplates(const GestureContext &context);
+    void addTemplates(Signs &signs) const;
     void moveTo(const PointerEvent &event, GestureContext &context);
     void beginTurn(const PointerEvent &event, GestureContext &context);
     void followHand(const PointerEvent &event, GestureContext &context);
@@ -97,6 +103,8 @@ private:
     std::optional<Ground> m_ground;
     std::optional<SlitGuides> m_guides; // of the slit
     std::optional<SlitGuide> m_guide;   // that it goes along
+    TemplateGuides m_templates;         // what its plane cuts of them
+    std::string m_followed;             // the name of the one that it may follow; empty: none
     ContourTarget m_target;
     std::optional<Vec3> m_missing;          // world, unit: where the slit has no wall
     std::optional<ContourTarget> m_movedIn; // where it has

@@ -75,6 +75,7 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         signs.add(std::move(slit));
         addWalls(signs);
     }
+    addTemplates(signs);
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
         signs.add(sign::Rulers{rulers(context)});
@@ -138,6 +139,8 @@ Hint StrokeGesture::hint() const
     case Stroke::State::DeadZone:
         return hints::kLeaveDeadZone;
     default:
+        if (!m_followed.empty())
+            return {hints::kFollowGuide, {Named{m_followed}}};
         if (!m_drawn || !*m_drawn)
             return hints::kDrawContour;
         return releaseHint((*m_drawn)->name);

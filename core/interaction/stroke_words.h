@@ -39,6 +39,14 @@ inline constexpr Text kReleaseToMirrorFirst =
 // Beside the cursor, while the view turns and when it has turned.
 inline constexpr Text kWait = FFF_TEXT("Cue", "Wait");
 inline constexpr Text kGoOn = FFF_TEXT("Cue", "Go on");
+// Where it may follow a template.
+//: %1 is the name of a template
+inline constexpr Text kFollowGuide =
+    FFF_TEXT("Hint", "Follow the teal curve to snap to %1; hold <kbd>Ctrl</kbd> to leave it. "
+                     "<kbd>Shift+Enter</kbd> takes it whole.");
+inline constexpr Text kTakeGuide = FFF_TEXT("Hint", "Shift+Enter: take the whole guide");
+inline constexpr Text kNoGuideAtSlit =
+    FFF_TEXT("Hint", "The slit does not touch a guide, so there is none to take whole.");
 // When it is over.
 inline constexpr Text kNeverLeft = FFF_TEXT(
     "Hint", "Nothing drawn: the slit never left %1. Start inside and drag across its edge.");

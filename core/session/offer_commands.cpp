@@ -10,6 +10,11 @@ constexpr CommandWords kOfferWords[] = {
      FFF_TEXT("Command", "Turn what was just drawn into the offered circle, ellipse, straight "
                          "lines or right angles, or move its slit in from the edge"),
      true},
+    {"section.takeGuide", FFF_TEXT("Command", "&Take the whole guide"),
+     FFF_TEXT("Command", "Take the guide"), "Shift+Return", "section",
+     FFF_TEXT("Command",
+              "Make the section of all that its plane cuts of a template, with its holes"),
+     true},
 };
 
 } // namespace
@@ -23,6 +28,13 @@ void registerOfferCommands(CommandRegistry &registry, Interaction &interaction)
                   },
                   needs([&interaction] { return interaction.hasOffer(); },
                         FFF_TEXT("Command", "Nothing is offered for what was just drawn"))});
+    registry.add("section.takeGuide",
+                 {[&interaction](const CommandParameters &, double time) -> Result<void> {
+                      interaction.takeGuide(time);
+                      return {};
+                  },
+                  needs([&interaction] { return interaction.hasGuide(); },
+                        FFF_TEXT("Command", "The plane that is drawn on cuts no template"))});
     registry.offer(kOfferWords);
 }
 

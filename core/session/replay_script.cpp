@@ -24,7 +24,7 @@ struct KeyBinding
     bool control, shift;
     const char *command;
 };
-constexpr std::array<KeyBinding, 40> kKeys{{{"Delete", false, false, "edit.delete"},
+constexpr std::array<KeyBinding, 41> kKeys{{{"Delete", false, false, "edit.delete"},
                                             {"+", false, false, "point.insert"},
                                             {"-", false, false, "point.delete"},
                                             {"1", true, false, "point.smooth"},
@@ -63,7 +63,8 @@ constexpr std::array<KeyBinding, 40> kKeys{{{"Delete", false, false, "edit.delet
                                             {"V", true, false, "edit.paste"},
                                             {"D", true, false, "edit.duplicate"},
                                             {"A", true, true, "edit.selectConnected"},
-                                            {"B", false, false, "section.takeOffer"}}};
+                                            {"B", false, false, "section.takeOffer"},
+                                            {"Enter", false, true, "section.takeGuide"}}};
 
 /// What stands in the script, short and on one line.
 QString found(const QJsonValue &value)

@@ -1,5 +1,7 @@
 #include "core/templates/template_mesh.h"
 
+#include "core/templates/thinned_mesh.h"
+
 namespace fff {
 
 Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshReport report,
@@ -8,8 +10,16 @@ Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshRepor
     Result<MeshTree> tree = MeshTree::make(*mesh, work);
     if (!tree)
         return tl::unexpected(std::move(tree.error()));
-    return std::make_shared<const TemplateMesh>(
-        TemplateMesh{std::move(mesh), *std::move(tree), std::move(report)});
+    auto made = std::make_shared<TemplateMesh>();
+    made->surface = surfaceOf(*mesh, work);
+    if (const TriangleMeshPointer coarse = thinned(mesh, kCoarseTriangles); coarse != mesh)
+        made->coarse = surfaceOf(*coarse, work);
+    if (work.isStopped())
+        return failure(ErrorCode::Cancelled);
+    made->mesh = std::move(mesh);
+    made->tree = *std::move(tree);
+    made->report = std::move(report);
+    return made;
 }
 
 Similarity worldPlacement(const Template &one, const TemplateMesh &mesh)

@@ -4,9 +4,12 @@
 #include "core/geometry/similarity.h"
 #include "core/model/template.h"
 #include "core/templates/mesh_report.h"
+#include "core/templates/mesh_surface.h"
 #include "core/templates/mesh_tree.h"
 
 namespace fff {
+
+inline constexpr std::size_t kCoarseTriangles = 30'000;
 
 /// A mesh that is ready to be cut. Immutable.
 struct TemplateMesh
@@ -14,6 +17,8 @@ struct TemplateMesh
     TriangleMeshPointer mesh; // in the file's coordinates; never null
     MeshTree tree;            // of it
     MeshReport report;
+    MeshSurface surface; // as it is drawn,
+    MeshSurface coarse;  // and in motion, of kCoarseTriangles about; empty: as the other
 
     Vec3 middle() const { return 0.5 * (mesh->bounds().min + mesh->bounds().max); }
 };

@@ -18,5 +18,7 @@ qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR}
     ${CMAKE_CURRENT_LIST_DIR}/shadow.frag
     ${CMAKE_CURRENT_LIST_DIR}/slab.frag
     ${CMAKE_CURRENT_LIST_DIR}/slab.vert
+    ${CMAKE_CURRENT_LIST_DIR}/template.frag
+    ${CMAKE_CURRENT_LIST_DIR}/template.vert
     ${CMAKE_CURRENT_LIST_DIR}/thing.frag
     ${CMAKE_CURRENT_LIST_DIR}/thing.vert)

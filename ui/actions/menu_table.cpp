@@ -65,7 +65,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
          kSearchedMenu},
         {QT_TR_NOOP("&Section"),
          "section.addCircle section.addEllipse section.addRectangle section.addPolygon "
-         "section.addStar section.addSlot section.takeOffer mark.engrave mark.score "
+         "section.addStar section.addSlot section.takeOffer section.takeGuide mark.engrave "
+         "mark.score "
          "section.importContour section.importHoles section.importMarks section.removeHoles "
          "section.putOn section.free section.makeOrthogonal section.snapNormal section.lock "
          "transform.inSpace transform.withChildren point.insert point.delete point.smooth "

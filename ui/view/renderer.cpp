@@ -3,6 +3,7 @@
 #include "ui/view/ground_painter.h"
 #include "ui/view/occlusion.h"
 #include "ui/view/section_passes.h"
+#include "ui/view/template_painter.h"
 #include "ui/view/thing_painter.h"
 
 #include <QOpenGLVersionFunctionsFactory>
@@ -25,6 +26,7 @@ struct Picture
 {
     std::vector<SceneSection> sections;
     std::vector<SceneThing> things;
+    std::vector<SceneTemplate> templates;
     Camera camera;
     Vec2 viewport = Vec2::Zero();
     double pixelRatio = 0.0;
@@ -35,7 +37,7 @@ struct Picture
               const ViewStyle &s, const RenderOptions &o) const
     {
         return camera == c && viewport == size && pixelRatio == ratio && style == s &&
-               options == o && things == scene.things &&
+               options == o && things == scene.things && templates == scene.templates &&
                std::equal(
                    sections.begin(), sections.end(), scene.sections.begin(), scene.sections.end(),
                    [](const SceneSection &a, const SceneSection &b) { return a.looksTheSame(b); });
@@ -50,14 +52,15 @@ public:
     explicit Private(Gl &functions)
         : gl(functions), background(loadProgram("screen", "background")),
           copy(loadProgram("screen", "copy")), pass(gl), slabs(gl), sections(gl, pass, slabs),
-          things(gl), ground(gl, pass), occlusion(gl, pass), picture(gl, GL_RGBA8, true, GL_LINEAR),
-          rest(gl, GL_RGBA8, true, GL_LINEAR), shown(gl, GL_RGBA8, true, GL_LINEAR)
+          things(gl), templates(gl), ground(gl, pass), occlusion(gl, pass),
+          picture(gl, GL_RGBA8, true, GL_LINEAR), rest(gl, GL_RGBA8, true, GL_LINEAR),
+          shown(gl, GL_RGBA8, true, GL_LINEAR)
     {
     }
     bool isReady() const
     {
-        return background && copy && sections.isReady() && things.isReady() && ground.isReady() &&
-               occlusion.isReady();
+        return background && copy && sections.isReady() && things.isReady() &&
+               templates.isReady() && ground.isReady() && occlusion.isReady();
     }
 
     void look(const Scene &scene, const Camera &camera, const Vec2 &viewport, double ratio,
@@ -75,6 +78,7 @@ public:
     SlabBuffers slabs;
     SectionPasses sections;
     ThingPainter things;
+    TemplatePainter templates;
     GroundPainter ground;
     Occlusion occlusion;
 
@@ -140,9 +144,11 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
     if (!d->drawn || !d->drawn->isOf(scene, camera, viewport, pixelRatio, style, options)) {
         d->slabs.update(scene);
         d->things.update(scene.things);
+        d->templates.update(scene.templates);
         d->look(scene, camera, viewport, pixelRatio, options);
         d->drawPicture(scene, style, options);
-        d->drawn = {scene.sections, scene.things, camera, viewport, pixelRatio, style, options};
+        d->drawn = {scene.sections, scene.things, scene.templates, camera,
+                    viewport,       pixelRatio,   style,           options};
         ++d->drawCount;
     }
     const bool hasOutlines =
@@ -186,9 +192,10 @@ void Renderer::Private::look(const Scene &scene, const Camera &camera, const Vec
     picture.resize(size(ratio));
     rest.resize(size(std::min(ratio, pixelRatio)));
 
-    const bool empty = scene.bounds.isEmpty();
-    const Vec3 middle = empty ? Vec3::Zero() : scene.bounds.center();
-    const double reach = empty ? 0.0 : 0.5 * scene.bounds.size().norm();
+    const Box3 bounds = scene.allBounds();
+    const bool empty = bounds.isEmpty();
+    const Vec3 middle = empty ? Vec3::Zero() : bounds.center();
+    const double reach = empty ? 0.0 : 0.5 * bounds.size().norm();
     diagonal = 2.0 * reach;
     ground.place(scene.bounds);
 
@@ -229,7 +236,7 @@ void Renderer::Private::drawPicture(const Scene &scene, const ViewStyle &style,
     if (seesGround)
         ground.draw(view, style);
     sections.drawOpaqueEdges();
-    hasLayers = sections.hasLayers() || things.isAny();
+    hasLayers = sections.hasLayers() || things.isAny() || templates.isAny();
     if (hasLayers) {
         rest.copyFrom(picture);
         beginOn(rest, scene, style, options);
@@ -237,6 +244,8 @@ void Renderer::Private::drawPicture(const Scene &scene, const ViewStyle &style,
         rest.bind();
         if (things.isAny())
             things.draw(view);
+        if (templates.isAny())
+            templates.draw(view, style, options.quality);
     }
 }
 

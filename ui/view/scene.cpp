@@ -221,7 +221,18 @@ Scene SceneBuilder::build(const Model &model) const
         scene.sections.push_back(std::move(item));
     }
     scene.things = thingsOf(model);
+    scene.templates = templatesOf(model.document);
     return scene;
+}
+
+Box3 Scene::allBounds() const
+{
+    Box3 all = bounds;
+    for (const SceneTemplate &one : templates) {
+        all.extend(one.bounds.min);
+        all.extend(one.bounds.max);
+    }
+    return all;
 }
 
 void applyView(Scene &scene, const Model &model, const ViewState &view)

@@ -6,6 +6,7 @@
 #include "core/interaction/view_state.h"
 #include "core/physics/stress_field.h"
 #include "ui/view/slit_covers.h"
+#include "ui/view/template_painter.h"
 #include "ui/view/thing.h"
 #include "ui/view/view_style.h"
 
@@ -57,8 +58,12 @@ SlabMesh meshOf(const SceneSection &section);
 struct Scene
 {
     std::vector<SceneSection> sections;
-    std::vector<SceneThing> things; // what weights stand for
-    Box3 bounds;                    // of the slabs, mm
+    std::vector<SceneThing> things;       // what weights stand for
+    std::vector<SceneTemplate> templates; // meshes that are seen
+    Box3 bounds;                          // of the slabs, mm
+
+    /// Of those and the meshes.
+    Box3 allBounds() const;
 };
 
 /// Remembers the last cut of every section, so that nothing flickers while a newer analysis is on

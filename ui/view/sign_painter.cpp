@@ -2,6 +2,7 @@
 
 #include "core/session/message_text.h"
 #include "ui/view/gizmo_marks.h"
+#include "ui/view/guide_marks.h"
 #include "ui/view/joint_marks.h"
 #include "ui/view/measure_marks.h"
 #include "ui/view/operation_marks.h"
@@ -38,6 +39,7 @@ enum class Layer {
     Rulers,
     Ground,
     DeadZone,
+    Guides,
     Contour,
     Slit,
     End, // of a stroke
@@ -157,6 +159,11 @@ public:
     {
         if (m_layer == Layer::Ground)
             paintGround(m_pen, ground, m_scene.isGroundHatched);
+    }
+    void operator()(const sign::Guides &guides)
+    {
+        if (m_layer == Layer::Guides)
+            paintGuides(m_pen, guides);
     }
     void operator()(const sign::Rulers &rulers)
     {

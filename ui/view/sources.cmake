@@ -11,6 +11,7 @@ target_sources(fff_view PRIVATE
     view/gizmo_marks.cpp
     view/gl.cpp
     view/ground_painter.cpp
+    view/guide_marks.cpp
     view/ground_shadow.cpp
     view/joint_marks.cpp
     view/layers.cpp
@@ -50,6 +51,7 @@ target_sources(fff_view PRIVATE
     view/stress_colours.cpp
     view/stress_marks.cpp
     view/stroke_marks.cpp
+    view/template_painter.cpp
     view/thing.cpp
     view/thing_painter.cpp
     view/view_cube_painter.cpp

@@ -1,0 +1,71 @@
+#include "core/interaction/offer_words.h"
+#include "core/interaction/stroke_gesture.h"
+#include "core/interaction/stroke_words.h"
+
+namespace fff {
+
+// What a stroke has to do with templates: their guides on the plane that it draws on.
+
+/// While the slit is drawn they move with it: what its plane would cut.
+void StrokeGesture::lookAtTemplates(const GestureContext &context)
+{
+    const Frame &ground = m_ground->section->frame;
+    const Vec3 from = ground.toWorld(m_stroke.slitFrom());
+    const Vec3 way = ground.toWorld(m_stroke.slitTo()) - from;
+    m_templates = TemplateGuides();
+    if (context.model.document.templates.empty())
+        return;
+    if (const Result<Frame> canvas = makeFrame(from, way, ground.normal()))
+        m_templates = TemplateGuides(context.model, *canvas);
+}
+
+/// From the moment that the plane is known.
+void StrokeGesture::followTemplates(const GestureContext &context)
+{
+    m_templates = TemplateGuides(context.model, m_target.canvas);
+    const Template *followed = m_templates.followed(context.model.document);
+    m_followed = followed ? followed->name : std::string();
+    if (followed && context.settings.snaps)
+        m_stroke.setGuides(
+            m_templates.curves(TemplateGuides::reachAt(context.camera.millimetresPerPixel)));
+}
+
+bool StrokeGesture::hasGuide() const
+{
+    return m_stroke.state() != Stroke::State::Slit && !m_templates.isEmpty();
+}
+
+/// In place of all that was drawn so far.
+GestureReply StrokeGesture::takeGuide(GestureContext &context)
+{
+    const bool hasSlit = m_ground.has_value();
+    const auto whole = m_templates.whole(hasSlit ? m_stroke.slitLength() : 0.0);
+    if (!whole) {
+        GestureReply reply = running();
+        reply.note = Hint::refusal(hints::kNoGuideAtSlit);
+        return reply;
+    }
+    m_drawn = drawWhole(context.model.document, m_target, *whole,
+                        {context.settings.cutsAtGround, context.settings.naming, {}});
+    m_stroke.cancel();
+    GestureReply reply;
+    reply.state = GestureReply::State::Over;
+    if (!*m_drawn) {
+        reply.note = m_drawn->error();
+        return reply;
+    }
+    reply.note = std::move((*m_drawn)->note);
+    reply.commit = {std::move((*m_drawn)->step), std::move((*m_drawn)->document)};
+    if (m_quick)
+        reply.settling = {m_quick->ended(context.viewport), m_quick->end() - m_now};
+    return reply;
+}
+
+void StrokeGesture::addTemplates(Signs &signs) const
+{
+    const bool isDrawing = m_stroke.state() == Stroke::State::Contour;
+    const StrokeContour *contour = isDrawing ? &m_stroke.contour() : nullptr;
+    m_templates.show(contour && contour->guided ? &*contour->guided : nullptr, signs);
+}
+
+} // namespace fff

@@ -1,0 +1,137 @@
+#include "core/interaction/template_guides.h"
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/segment_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+/// The stretch from (0, 0) to (length, 0) crosses this edge.
+bool crossesSlit(const Vec2 &p, const Vec2 &q, double length)
+{
+    if ((p.y() < 0.0) == (q.y() < 0.0))
+        return false;
+    const double x = p.x() + (q.x() - p.x()) * p.y() / (p.y() - q.y());
+    return x >= 0.0 && x <= length;
+}
+
+} // namespace
+
+TemplateGuides::TemplateGuides(const Model &model, const Frame &canvas) : m_canvas(canvas)
+{
+    for (const TemplatePointer &one : model.document.templates) {
+        if (one->isHidden || !one->mesh)
+            continue;
+        std::vector<TemplateLoop> loops = loopsOn(canvas, *one, *one->mesh);
+        std::move(loops.begin(), loops.end(), std::back_inserter(m_loops));
+    }
+    std::stable_sort(m_loops.begin(), m_loops.end(),
+                     [](const TemplateLoop &a, const TemplateLoop &b) {
+                         return std::abs(signedArea(a.points)) > std::abs(signedArea(b.points));
+                     });
+}
+
+const Template *TemplateGuides::followed(const Document &document) const
+{
+    return m_loops.empty() ? nullptr : document.find(m_loops.front().of);
+}
+
+std::shared_ptr<const Guides> TemplateGuides::curves(double reach) const
+{
+    if (m_loops.empty())
+        return nullptr;
+    auto guides = std::make_shared<Guides>();
+    guides->reach = reach;
+    for (const TemplateLoop &loop : m_loops)
+        if (const Result<Contour> curve = curveOf(loop))
+            guides->lines.emplace_back(CurvePath::around(*curve));
+    return guides;
+}
+
+bool TemplateGuides::touches(const TemplateLoop &loop, double slitLength) const
+{
+    for (std::size_t i = 0; i < loop.points.size(); ++i)
+        if (crossesSlit(loop.points[i], loop.points[(i + 1) % loop.points.size()], slitLength))
+            return true;
+    return locate(Vec2::Zero(), loop.points) != Side::Outside;
+}
+
+std::optional<TemplateGuides::Whole> TemplateGuides::whole(double slitLength) const
+{
+    const auto outer = std::find_if(m_loops.begin(), m_loops.end(), [&](const TemplateLoop &loop) {
+        return !loop.isHole && (slitLength <= 0.0 || touches(loop, slitLength));
+    });
+    if (outer == m_loops.end())
+        return std::nullopt;
+    Result<Contour> contour = curveOf(*outer);
+    if (!contour)
+        return std::nullopt;
+    Whole whole{*std::move(contour), {}};
+    // A hole of the next loop in would lie in that one, too, which is smaller.
+    const auto around = [&](const TemplateLoop &hole) {
+        const TemplateLoop *least = nullptr;
+        for (const TemplateLoop &loop : m_loops)
+            if (!loop.isHole && loop.of == hole.of &&
+                locate(hole.points.front(), loop.points) == Side::Inside)
+                least = &loop;
+        return least;
+    };
+    for (const TemplateLoop &hole : m_loops)
+        if (hole.isHole && hole.of == outer->of && around(hole) == &*outer)
+            if (Result<Contour> curve = curveOf(hole))
+                whole.holes.push_back(*std::move(curve));
+    return whole;
+}
+
+bool TemplateGuides::isAt(const Vec2 &point, double reach) const
+{
+    for (const TemplateLoop &loop : m_loops)
+        for (std::size_t i = 0; i < loop.points.size(); ++i)
+            if (distanceToSegment(point, loop.points[i],
+                                  loop.points[(i + 1) % loop.points.size()]) <= reach)
+                return true;
+    return false;
+}
+
+tl::expected<DrawnContour, Hint> drawWhole(const Document &document, const ContourTarget &target,
+                                           const TemplateGuides::Whole &whole,
+                                           const DrawingRules &rules)
+{
+    tl::expected<DrawnContour, Hint> drawn = drawContour(document, target, whole.contour, rules);
+    if (!drawn || target.purpose == ContourTarget::Purpose::Hole)
+        return drawn;
+    for (const Contour &hole : whole.holes) {
+        const Section &made = *drawn->document.find(drawn->section.drawn);
+        // The section's own frame may be another one than the canvas.
+        std::vector<Vec2> points;
+        for (const Vec2 &p : hole.points())
+            points.push_back(made.frame.toLocal(target.canvas.toWorld(p)));
+        DrawingRules holeRules = rules;
+        holeRules.axis.reset();
+        if (const auto with = drawContour(drawn->document, ContourTarget::hole(made),
+                                          Contour::ofPoints(std::move(points)), holeRules))
+            drawn->document = with->document;
+    }
+    return drawn;
+}
+
+void TemplateGuides::show(const GuidedLine *line, Signs &signs) const
+{
+    if (m_loops.empty())
+        return;
+    sign::Guides guides{m_canvas, {}, {}, {}};
+    for (const TemplateLoop &loop : m_loops)
+        guides.loops.push_back({loop.points, loop.isHole});
+    if (line) {
+        guides.turnouts = line->turnouts;
+        if (line->isCaughtAtEnd)
+            guides.caught = line->points.back();
+    }
+    signs.add(std::move(guides));
+}
+
+} // namespace fff

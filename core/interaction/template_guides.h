@@ -1,0 +1,73 @@
+// The curves that a contour on a canvas may follow: where its plane cuts the templates that are
+// seen. For strokes, the pen and points alike.
+#pragma once
+
+#include "core/interaction/contour_target.h"
+#include "core/interaction/overlay.h"
+#include "core/model/model.h"
+#include "core/stroke/guided_line.h"
+#include "core/templates/template_cut.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+/// How near to a guide a stroke is caught by it: so many mm, but never further than so many px.
+inline constexpr double kGuideReach = 12.7, kGuidePixels = 24.0;
+/// And how near a click on one, px.
+inline constexpr double kGuideClick = 10.0;
+
+class TemplateGuides
+{
+public:
+    TemplateGuides() = default;
+    /// Of meshes that are not hidden. O(what the plane meets).
+    TemplateGuides(const Model &model, const Frame &canvas);
+
+    bool isEmpty() const { return m_loops.empty(); }
+    const Frame &canvas() const { return m_canvas; }
+    /// Of the template that the largest loop is of; null without any.
+    const Template *followed(const Document &document) const;
+
+    /// The loops as curves, for a stroke to follow; null without any. reach: mm.
+    std::shared_ptr<const Guides> curves(double reach) const;
+
+    /// A section that follows a guide all round.
+    struct Whole
+    {
+        Contour contour;
+        std::vector<Contour> holes;
+    };
+    /// Of the largest loop that is touched by the slit, from the canvas' origin so far along x,
+    /// with the holes in it; without a slit (0) of the largest of all.
+    std::optional<Whole> whole(double slitLength) const;
+
+    /// A loop passes so near to the point, canvas coordinates, mm.
+    bool isAt(const Vec2 &point, double reach) const;
+
+    /// mm, at this scale of the view.
+    static double reachAt(double millimetresPerPixel)
+    {
+        return std::min(kGuideReach, kGuidePixels * millimetresPerPixel);
+    }
+
+    /// line: what follows them so far, where there is one.
+    void show(const GuidedLine *line, Signs &signs) const;
+
+private:
+    bool touches(const TemplateLoop &loop, double slitLength) const;
+
+    Frame m_canvas;
+    std::vector<TemplateLoop> m_loops; // largest first
+};
+
+/// As drawContour(), with the holes in what that makes. Those that the ground leaves nothing of are
+/// left out.
+tl::expected<DrawnContour, Hint> drawWhole(const Document &document, const ContourTarget &target,
+                                           const TemplateGuides::Whole &whole,
+                                           const DrawingRules &rules);
+
+} // namespace fff

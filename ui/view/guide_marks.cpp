@@ -1,0 +1,90 @@
+#include "ui/view/guide_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kGuideWidth = 2.0, kCaughtMore = 0.5;    // px
+constexpr double kTickEvery = 10.0;                       // mm
+constexpr int kLongTick = 5;                              // every so many
+constexpr double kTick = 4.0, kLong = 7.0;                // px, to each side
+constexpr double kLeastTickPixels = 5.0;                  // nearer to each other they are left out
+constexpr double kCaughtRadius = 6.0, kTurnoutHalf = 3.5; // px
+
+/// From the point that is nearest to the origin on.
+Polygon fromOrigin(Polygon points)
+{
+    const auto nearest =
+        std::min_element(points.begin(), points.end(), [](const Vec2 &a, const Vec2 &b) {
+            return a.squaredNorm() < b.squaredNorm();
+        });
+    std::rotate(points.begin(), nearest, points.end());
+    return points;
+}
+
+void addTicks(const MarkPen &pen, const Frame &canvas, const Polygon &points, QPainterPath &path)
+{
+    double along = 0.0, next = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 &p = points[i], &q = points[(i + 1) % points.size()];
+        const double length = (q - p).norm();
+        for (; length > 0.0 && next < along + length; next += kTickEvery, ++count) {
+            const QPointF at = pen.screen(canvas.toWorld(p + (next - along) / length * (q - p)));
+            const QPointF way = pen.screen(canvas.toWorld(q)) - pen.screen(canvas.toWorld(p));
+            const double pixels = std::hypot(way.x(), way.y());
+            if (pixels / length * kTickEvery < kLeastTickPixels)
+                continue;
+            const QPointF across = QPointF(-way.y(), way.x()) / pixels;
+            const double reach = count % kLongTick == 0 ? kLong : kTick;
+            path.moveTo(at - reach * across);
+            path.lineTo(at + reach * across);
+        }
+        along += length;
+    }
+}
+
+} // namespace
+
+void paintGuides(MarkPen &pen, const sign::Guides &guides)
+{
+    const QColor &colour = pen.style().guide;
+    const double width = kGuideWidth + (guides.caught ? kCaughtMore : 0.0);
+    for (const sign::Guides::Loop &loop : guides.loops) {
+        if (loop.points.empty())
+            continue;
+        const Polygon points = fromOrigin(loop.points);
+        QPainterPath line(pen.screen(guides.canvas.toWorld(points.front())));
+        for (std::size_t i = 1; i < points.size(); ++i)
+            line.lineTo(pen.screen(guides.canvas.toWorld(points[i])));
+        line.closeSubpath();
+        QPen stroke = roundPen(colour, width);
+        if (loop.isHole) {
+            stroke.setCapStyle(Qt::FlatCap);
+            stroke.setDashPattern({4.0, 3.0});
+        }
+        pen.cased(line, stroke);
+        QPainterPath ticks;
+        addTicks(pen, guides.canvas, points, ticks);
+        pen.painter().strokePath(ticks, roundPen(colour, 0.7 * kGuideWidth));
+    }
+    QPainter &painter = pen.painter();
+    for (const Vec2 &turnout : guides.turnouts) {
+        const QPointF at = pen.screen(guides.canvas.toWorld(turnout));
+        painter.setPen(QPen(pen.style().accent, 1.6));
+        painter.setBrush(pen.style().panel);
+        painter.drawRect(QRectF(at.x() - kTurnoutHalf, at.y() - kTurnoutHalf, 2.0 * kTurnoutHalf,
+                                2.0 * kTurnoutHalf));
+    }
+    if (guides.caught) {
+        painter.setPen(QPen(pen.style().panel, 1.5));
+        painter.setBrush(colour);
+        painter.drawEllipse(pen.screen(guides.canvas.toWorld(*guides.caught)), kCaughtRadius,
+                            kCaughtRadius);
+    }
+}
+
+} // namespace fff::ui
