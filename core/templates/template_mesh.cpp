@@ -2,6 +2,8 @@
 
 #include "core/templates/thinned_mesh.h"
 
+#include <algorithm>
+
 namespace fff {
 
 Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshReport report,
@@ -34,6 +36,28 @@ Box3 worldBounds(const Template &one, const TemplateMesh &mesh)
     for (const Vec3 &p : mesh.mesh->positions())
         box.extend(placement(p));
     return box;
+}
+
+Template stood(Template one, const TemplateMesh &mesh, UpAxis up, double size)
+{
+    one.frame = Frame();
+    if (up == UpAxis::Z)
+        one.frame.y = -Vec3::UnitZ(); // so that its normal, along the file's z, is upwards
+    const double extent = mesh.mesh->size();
+    if (size > 0.0)
+        one.scale = size / extent;
+    else if (mesh.mesh->unit())
+        one.scale = 1.0;
+    else
+        one.scale = kTemplateSize / extent;
+    one.scale = std::clamp(one.scale, kLeastTemplateScale, kMostTemplateScale);
+    return onGround(std::move(one), mesh);
+}
+
+Template onGround(Template one, const TemplateMesh &mesh)
+{
+    one.frame.origin.y() -= worldBounds(one, mesh).min.y();
+    return one;
 }
 
 } // namespace fff

@@ -32,4 +32,17 @@ Similarity worldPlacement(const Template &one, const TemplateMesh &mesh);
 /// In the world, of all vertices. O(vertices).
 Box3 worldBounds(const Template &one, const TemplateMesh &mesh);
 
+/// mm that a mesh is made as large as, in its largest extent, when its file knows no unit (paper:
+/// 10 units).
+inline constexpr double kTemplateSize = 254.0;
+
+enum class UpAxis { Y, Z };
+
+/// As a mesh comes in: with the axis of its file that is meant upwards; as large as wanted in its
+/// largest extent, 0: as its file says, or kTemplateSize where that does not; above the world's
+/// origin, on the ground.
+Template stood(Template one, const TemplateMesh &mesh, UpAxis up, double size);
+/// Moved straight down, or up, until it stands on the ground.
+Template onGround(Template one, const TemplateMesh &mesh);
+
 } // namespace fff
