@@ -27,12 +27,12 @@ TemplateGuides::TemplateGuides(const Model &model, const Frame &canvas) : m_canv
         if (one->isHidden || !one->mesh)
             continue;
         std::vector<TemplateLoop> loops = loopsOn(canvas, *one, *one->mesh);
+        for (TemplateLoop &loop : loops) {
+            if (loop.around >= 0)
+                loop.around += static_cast<int>(m_loops.size());
+        }
         std::move(loops.begin(), loops.end(), std::back_inserter(m_loops));
     }
-    std::stable_sort(m_loops.begin(), m_loops.end(),
-                     [](const TemplateLoop &a, const TemplateLoop &b) {
-                         return std::abs(signedArea(a.points)) > std::abs(signedArea(b.points));
-                     });
 }
 
 const Template *TemplateGuides::followed(const Document &document) const
@@ -71,17 +71,9 @@ std::optional<TemplateGuides::Whole> TemplateGuides::whole(double slitLength) co
     if (!contour)
         return std::nullopt;
     Whole whole{*std::move(contour), {}};
-    // A hole of the next loop in would lie in that one, too, which is smaller.
-    const auto around = [&](const TemplateLoop &hole) {
-        const TemplateLoop *least = nullptr;
-        for (const TemplateLoop &loop : m_loops)
-            if (!loop.isHole && loop.of == hole.of &&
-                locate(hole.points.front(), loop.points) == Side::Inside)
-                least = &loop;
-        return least;
-    };
+    const auto place = static_cast<int>(outer - m_loops.begin());
     for (const TemplateLoop &hole : m_loops)
-        if (hole.isHole && hole.of == outer->of && around(hole) == &*outer)
+        if (hole.isHole && hole.around == place)
             if (Result<Contour> curve = curveOf(hole))
                 whole.holes.push_back(*std::move(curve));
     return whole;

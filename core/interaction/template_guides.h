@@ -61,7 +61,7 @@ private:
     bool touches(const TemplateLoop &loop, double slitLength) const;
 
     Frame m_canvas;
-    std::vector<TemplateLoop> m_loops; // largest first
+    std::vector<TemplateLoop> m_loops; // of one template after the other, largest first
 };
 
 /// As drawContour(), with the holes in what that makes. Those that the ground leaves nothing of are

@@ -16,7 +16,7 @@
 //                         "marks": [ { "kind": "engraved|scored", "paths": [ [[x, y], ...], ... ],
 //                                      "lettering": { "text", "height", "at": [x, y],
 //                                                     "turn" } } ] } ],
-//       "operations": [ { "id", "kind", "version", "name", "on",
+//       "operations": [ { "id", "kind", "version", "name", "on", "template": id, "stock": id,
 //                         "inputs": { "role": [ { "section": ref, "name" } ] },
 //                         "parameters": { "key": number, true, false or "choice" },
 //                         "exceptions": [ { "instance": "key", "state": "hidden|detached",
@@ -41,7 +41,8 @@
 // "section"; "templates" (core/model/template.h), of one all that is not said of it by default,
 // and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
 // these "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175),
-// "leadIn" and "bumps" (0); of an operation "on" (then true) and "exceptions". Kinds of operations,
+// "leadIn" and "bumps" (0); of an operation "on" (then true), "template" and "stock"
+// (of kinds that make sections of one) and "exceptions". Kinds of operations,
 // their roles and parameters: core/operations; a file keeps also those that do not count. `joints`
 // are those of which something is wanted (core/model/joint_override.h). A contour has three control
 // points a segment, p0 h h, a segment on each line; the last closes onto the first. A ref is the id

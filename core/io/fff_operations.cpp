@@ -116,6 +116,10 @@ void writeOperation(JsonWriter &json, const Operation &operation)
     json.member("name", operation.name);
     if (!operation.isOn)
         json.member("on", false);
+    if (operation.subject.isValid())
+        json.member("template", operation.subject.value);
+    if (operation.stock.isValid())
+        json.member("stock", operation.stock.value);
     writeInputs(json, operation);
     writeParameters(json, operation);
     writeExceptions(json, operation);
@@ -135,6 +139,11 @@ Operation readOperation(const JsonCursor &cursor, const OperationSurroundings &s
     }
     if (const JsonCursor on = cursor.member("on"); on.exists())
         operation.isOn = on.truth();
+    // One that is gone leaves the operation without a template, which it says.
+    if (const JsonCursor subject = cursor.member("template"); subject.exists())
+        operation.subject = TemplateId{surroundings.readGivenId(subject)};
+    if (const JsonCursor stock = cursor.member("stock"); stock.exists())
+        operation.stock = surroundings.readStock(stock);
     for (const auto &[role, list] : cursor.member("inputs").members()) {
         std::vector<OperationInput> &inputs = operation.inputs[role];
         for (const JsonCursor &item : list.items())

@@ -20,6 +20,8 @@ struct OperationSurroundings
     /// A section that may have been deleted.
     std::function<SectionRef(const JsonCursor &)> readRef;
     std::function<StockId(const JsonCursor &)> readStock;
+    /// Of something that may have been deleted.
+    std::function<std::int64_t(const JsonCursor &)> readGivenId;
 };
 
 /// All but its id. Fails with Unsupported for a kind, or a version of one, that is not known here:

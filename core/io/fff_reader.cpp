@@ -323,6 +323,7 @@ OperationPointer FffReader::readOperation(const JsonCursor &cursor)
     surroundings.readStock = [this](const JsonCursor &item) {
         return StockId{readReference(item, m_stockIds)};
     };
+    surroundings.readGivenId = [this](const JsonCursor &item) { return readGivenId(item); };
     const OperationId id{readId(cursor.member("id"))};
     auto operation = std::make_shared<Operation>(fff::io::readOperation(cursor, surroundings));
     operation->id = id;

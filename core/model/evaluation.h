@@ -5,6 +5,7 @@
 #include "core/geometry/halfplane_clip.h"
 #include "core/model/operation.h"
 #include "core/model/stock.h"
+#include "core/model/template.h"
 
 #include <map>
 #include <memory>
@@ -24,6 +25,8 @@ struct OperationNotice
         NothingToDo,  // its section is as it is to be; it stays so
         StoppedAtMost, // the number of sections that may be made was reached; count: that number
         LeftOut,       // count: of sections that could not be made
+        NoTemplate,    // it is of one that is not there; it makes nothing
+        Slivers,       // count: of pieces that are too small to be worth a section
         Failed         // what it would make could not be worked out: the model is not whole
     };
     Kind kind = Kind::InputMissing;
@@ -63,6 +66,8 @@ struct OperationResult
     /// The sections as it saw them; null: it was not there.
     std::vector<std::pair<SectionRef, SectionPointer>> readSections;
     std::vector<std::pair<StockId, std::shared_ptr<const Stock>>> readStocks;
+    /// The template that it is of, as it saw it; null: it was not there, or none is wanted.
+    TemplatePointer readTemplate;
     /// Not null: it saw all sections above it, which were these.
     std::shared_ptr<const std::vector<SectionPointer>> readAll;
 };

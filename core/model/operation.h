@@ -50,6 +50,9 @@ struct Operation
     std::string name;
     bool isOn = true;
     std::map<std::string, std::vector<OperationInput>> inputs;
+    /// Of kinds that make sections of a template: of which, and of what they are.
+    TemplateId subject = {};
+    StockId stock = {};
     std::map<std::string, ParameterValue> parameters;
     std::map<std::string, Exception> exceptions; // by the instance's key, none of them empty
 

@@ -59,6 +59,12 @@ struct Template
     /// them, so it is neither compared nor saved.
     TemplateMeshPointer mesh = {};
 
+    /// What is cut of it is the same: all but how it is shown and called.
+    bool hasFormOf(const Template &other) const
+    {
+        return mesh == other.mesh && frame == other.frame && on == other.on &&
+               scale == other.scale && isFlipped == other.isFlipped && magnets == other.magnets;
+    }
     bool isFlat() const { return kind != TemplateKind::Mesh; }
     /// From the file's coordinates, about the middle of what is in it, to those of `frame`'s space.
     Similarity placement() const;

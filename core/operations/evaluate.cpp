@@ -9,6 +9,13 @@ namespace fff {
 
 namespace {
 
+/// null: there is none
+bool isSameTemplate(const TemplatePointer &before, const Template *now)
+{
+    return before.get() == now ||
+           (before && now && before->name == now->name && before->hasFormOf(*now));
+}
+
 /// Whether the operation would see all that it looked at as it was.
 bool seesTheSame(const OperationResult &before, const OperationPointer &operation,
                  const Document &document, const SectionLookup &above)
@@ -23,6 +30,7 @@ bool seesTheSame(const OperationResult &before, const OperationPointer &operatio
     };
     return std::all_of(before.readSections.begin(), before.readSections.end(), isSameSection) &&
            std::all_of(before.readStocks.begin(), before.readStocks.end(), isSameStock) &&
+           isSameTemplate(before.readTemplate, document.find(operation->subject)) &&
            (!before.readAll || *before.readAll == above.sections());
 }
 

@@ -159,6 +159,8 @@ Operation Inserter::moved(const Operation &operation) const
 {
     Operation next = operation;
     next.id = moved(operation.id);
+    next.subject = moved(operation.subject);
+    next.stock = moved(operation.stock);
     for (auto &[role, inputs] : next.inputs)
         for (OperationInput &input : inputs)
             input.section = moved(input.section);

@@ -62,6 +62,21 @@ const Stock &OperationContext::stock(StockId id)
     return **it;
 }
 
+TemplatePointer OperationContext::subject()
+{
+    const auto it = std::find_if(
+        m_document.templates.begin(), m_document.templates.end(),
+        [id = operation().subject](const TemplatePointer &one) { return one->id == id; });
+    m_result.readTemplate = it == m_document.templates.end() ? nullptr : *it;
+    return m_result.readTemplate;
+}
+
+StockId OperationContext::stockOfNew()
+{
+    const StockId wanted = operation().stock;
+    return m_document.find(wanted) ? wanted : m_document.stocks.front()->id;
+}
+
 const std::vector<SectionPointer> &OperationContext::all()
 {
     if (!m_result.readAll)

@@ -31,6 +31,10 @@ public:
     /// Null when it is not there.
     SectionPointer find(const SectionRef &ref);
     const Stock &stock(StockId id);
+    /// The template that the operation is of, its name and its form; null when it is not there.
+    TemplatePointer subject();
+    /// What sections of that are made of.
+    StockId stockOfNew();
     /// All sections above. Looking at them ties the result to each of them.
     const std::vector<SectionPointer> &all();
 

@@ -77,6 +77,8 @@ struct OperationKind
     /// sections alone. False: that would be too many.
     bool (*isOfAll)(const Operation &operation) = nullptr;
     bool (*narrow)(Operation &operation, std::vector<OperationInput> sections) = nullptr;
+    /// It makes sections of a template (Operation::subject) and a stock.
+    bool isOfTemplate = false;
 
     const ParameterSpec *parameter(std::string_view key) const;
     const InputSpec *input(std::string_view role) const;

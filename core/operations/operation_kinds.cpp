@@ -6,6 +6,7 @@
 #include "core/operations/linear.h"
 #include "core/operations/radial.h"
 #include "core/operations/revolve.h"
+#include "core/operations/slices.h"
 #include "core/operations/symmetry.h"
 
 namespace fff {
@@ -22,6 +23,7 @@ std::span<const OperationKind *const> operationKinds()
         &kMirror,     //
         &kRotational, //
         &kArray,      //
+        &kSlices,     //
     };
     return kKinds;
 }

@@ -25,6 +25,7 @@ target_sources(fff_core PRIVATE
     operations/row.cpp
     operations/scaled_model.cpp
     operations/section_lookup.cpp
+    operations/slices.cpp
     operations/source_crossing.cpp
     operations/symmetry.cpp
 )

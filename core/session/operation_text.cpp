@@ -91,6 +91,18 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
                           "them.",
                           nullptr, notice.count))
             .arg(name);
+    case Kind::NoTemplate:
+        //: %1 is the name of an operation
+        return OperationNoticeTexts::tr(
+                   "%1 makes nothing: its template is gone or its file is missing.")
+            .arg(name);
+    case Kind::Slivers:
+        //: %1 is the name of an operation
+        return (notice.count == 1 ? OperationNoticeTexts::tr("1 small piece of %1 was left out.")
+                                  //: %1 is the name of an operation
+                                  : OperationNoticeTexts::tr("%n small pieces of %1 were left out.",
+                                                             nullptr, notice.count))
+            .arg(name);
     }
     return {};
 }
@@ -106,7 +118,7 @@ bool isFailure(const OperationNotice &notice)
 {
     using Kind = OperationNotice::Kind;
     return notice.kind != Kind::StoppedAtMost && notice.kind != Kind::NothingToDo &&
-           notice.kind != Kind::LeftOut;
+           notice.kind != Kind::LeftOut && notice.kind != Kind::Slivers;
 }
 
 } // namespace fff

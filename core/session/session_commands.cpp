@@ -17,6 +17,7 @@
 #include "core/session/point_commands.h"
 #include "core/session/section_commands.h"
 #include "core/session/selection_commands.h"
+#include "core/session/template_commands.h"
 #include "core/session/tool_commands.h"
 #include "core/session/view_commands.h"
 
@@ -122,6 +123,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerViewCommands(registry, session, interaction);
     registerLoadCommands(registry, session, interaction);
     registerBearingCommands(registry, session, interaction);
+    registerTemplateCommands(registry, session, interaction);
     registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);

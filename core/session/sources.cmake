@@ -34,6 +34,7 @@ target_sources(fff_session PRIVATE
     slot_blobs.cpp
     slot_files.cpp
     slot_lock.cpp
+    template_commands.cpp
     tool_commands.cpp
     unreadable_work.cpp
     view_commands.cpp

@@ -9,9 +9,14 @@ target_sources(fff_core PRIVATE
     templates/mended_mesh.cpp
     templates/mesh_edges.cpp
     templates/mesh_report.cpp
+    templates/mesh_surface.cpp
     templates/mesh_tree.cpp
     templates/placed_mesh.cpp
     templates/plane_cut.cpp
+    templates/template_cut.cpp
+    templates/template_mesh.cpp
+    templates/thinned_mesh.cpp
+    templates/traced_picture.cpp
     templates/triangle_mesh.cpp
     templates/vertex_merger.cpp
     templates/vertex_normals.cpp

@@ -22,6 +22,11 @@ std::vector<TemplateLoop> loopsOn(const Frame &frame, const Template &one, const
             std::reverse(loop.points.begin(), loop.points.end());
         loops.push_back(std::move(loop));
     }
+    // The smallest that it is in: those after the first are smaller.
+    for (TemplateLoop &hole : loops)
+        for (std::size_t k = 0; hole.isHole && k < loops.size(); ++k)
+            if (!loops[k].isHole && locate(hole.points.front(), loops[k].points) == Side::Inside)
+                hole.around = static_cast<int>(k);
     return loops;
 }
 

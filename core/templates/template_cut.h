@@ -13,6 +13,7 @@ struct TemplateLoop
     TemplateId of;
     Polygon points; // counter-clockwise, of a hole clockwise
     bool isHole = false;
+    int around = -1;        // of a hole: the loop that it is in, by its place in the list
     bool isBridged = false; // in part it closes what is open in the mesh
 };
 

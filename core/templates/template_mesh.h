@@ -6,6 +6,7 @@
 #include "core/templates/mesh_report.h"
 #include "core/templates/mesh_surface.h"
 #include "core/templates/mesh_tree.h"
+#include "core/templates/placed_mesh.h"
 
 namespace fff {
 
@@ -31,10 +32,6 @@ Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshRepor
 Similarity worldPlacement(const Template &one, const TemplateMesh &mesh);
 /// In the world, of all vertices. O(vertices).
 Box3 worldBounds(const Template &one, const TemplateMesh &mesh);
-
-/// mm that a mesh is made as large as, in its largest extent, when its file knows no unit (paper:
-/// 10 units).
-inline constexpr double kTemplateSize = 254.0;
 
 enum class UpAxis { Y, Z };
 

@@ -1,0 +1,306 @@
+#include "core/operations/slices.h"
+
+#include "core/base/text.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/offset.h"
+#include "core/geometry/polygon.h"
+#include "core/templates/template_cut.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+
+namespace fff {
+
+namespace {
+
+using Unit = ParameterSpec::Unit;
+
+constexpr int kMostPlanes = 500; // of one direction
+
+/// Planes of one direction, in their order.
+struct SlicePlanes
+{
+    char key = 'x';
+    std::vector<Frame> frames;
+};
+
+/// Across an axis of the world, upright as it is seen from there.
+Frame frameAcross(int axis)
+{
+    switch (axis) {
+    case 0:
+        return {Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()};
+    case 1:
+        return {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()};
+    default:
+        return {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
+    }
+}
+
+/// What is left in a contour within a wall of this width: nothing where there is no room.
+std::vector<Contour> roomIn(const Contour &contour, double wall)
+{
+    // A frame around it grows inwards as it grows outwards.
+    Box2 box = bounds(contour.polygon(wall));
+    const Vec2 margin = Vec2::Constant(10.0 * wall) + box.size();
+    const Vec2 low = box.min - margin, high = box.max + margin;
+    CurvedRegion around;
+    around.outer = Contour::ofPolygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+    around.holes = {contour.signedArea() > 0.0 ? contour.reversed() : contour};
+    Result<CurvedRegion> grown = grow(around, wall);
+    return grown ? std::move(grown->holes) : std::vector<Contour>();
+}
+
+class Slicer
+{
+public:
+    Slicer(OperationContext &context, const Template &subject)
+        : m_context(context), m_subject(subject), m_bounds(worldBounds(subject, *subject.mesh))
+    {
+    }
+
+    void slice();
+
+private:
+    SlicePlanes across(int axis) const;
+    SlicePlanes around() const;
+    void cut(const SlicePlanes &planes);
+    void add(const std::string &key, std::string name, const Frame &frame,
+             const TemplateLoop &outer, const std::vector<const TemplateLoop *> &holes);
+    void hollow(const Contour &contour, std::vector<Contour> &holes) const;
+
+    OperationContext &m_context;
+    const Template &m_subject;
+    const Box3 m_bounds;
+    int m_made = 0, m_slivers = 0, m_failed = 0;
+};
+
+/// As many as asked for, or as fit; always evenly about the middle of the template.
+SlicePlanes Slicer::across(int axis) const
+{
+    const double size = m_bounds.size()[axis];
+    const double middle = 0.5 * (m_bounds.min[axis] + m_bounds.max[axis]);
+    const bool isByCount = m_context.choice("planesBy") == "count";
+    const double spacing = m_context.number("spacing");
+    const int count = isByCount
+                          ? m_context.count("count")
+                          : std::clamp(static_cast<int>(std::ceil(size / spacing)), 1, kMostPlanes);
+    const double step = isByCount ? size / count : spacing;
+    SlicePlanes planes{"xyz" [axis], {}};
+    for (int i = 0; i < count; ++i) {
+        Frame frame = frameAcross(axis);
+        frame.origin = 0.5 * (m_bounds.min + m_bounds.max);
+        frame.origin[axis] = middle + (i - 0.5 * (count - 1) + m_context.number("shift")) * step;
+        planes.frames.push_back(frame);
+    }
+    return planes;
+}
+
+/// Through the upright axis in the middle, over half a turn.
+SlicePlanes Slicer::around() const
+{
+    const int count = m_context.count("count");
+    SlicePlanes planes{'r', {}};
+    for (int i = 0; i < count; ++i) {
+        const double angle = std::numbers::pi * (i + m_context.number("shift")) / count;
+        planes.frames.push_back({0.5 * (m_bounds.min + m_bounds.max),
+                                 Vec3(std::cos(angle), 0.0, -std::sin(angle)), Vec3::UnitY()});
+    }
+    return planes;
+}
+
+/// Takes out what lies within the wall. Not around holes of the template: their walls would hang in
+/// the air.
+void Slicer::hollow(const Contour &contour, std::vector<Contour> &holes) const
+{
+    std::vector<Vec2> kept;
+    for (const Contour &hole : holes)
+        kept.push_back(hole.points().front());
+    for (Contour &room : roomIn(contour, m_context.number("wall"))) {
+        const Polygon polygon = room.polygon(kDrawChord);
+        const bool isFree = std::none_of(kept.begin(), kept.end(), [&](const Vec2 &p) {
+            return locate(p, polygon) != Side::Outside;
+        });
+        if (isFree && std::abs(signedArea(polygon)) >= m_context.number("smallest"))
+            holes.push_back(std::move(room));
+    }
+}
+
+void Slicer::add(const std::string &key, std::string name, const Frame &frame,
+                 const TemplateLoop &outer, const std::vector<const TemplateLoop *> &inner)
+{
+    const Result<Contour> contour = curveOf(outer);
+    std::vector<Contour> holes;
+    for (const TemplateLoop *loop : inner)
+        if (Result<Contour> hole = curveOf(*loop))
+            holes.push_back(*std::move(hole));
+    if (contour && m_context.isOn("hollow"))
+        hollow(*contour, holes);
+    Result<ShapePointer> shape = contour ? m_context.shape(key, *contour, std::move(holes))
+                                         : Result<ShapePointer>(tl::unexpected(contour.error()));
+    if (!shape) {
+        ++m_failed;
+        return;
+    }
+    Section section;
+    section.name = std::move(name);
+    section.shape = *std::move(shape);
+    section.frame = frame;
+    section.stock = m_context.stockOfNew();
+    m_context.add(key, std::move(section));
+    ++m_made;
+}
+
+void Slicer::cut(const SlicePlanes &planes)
+{
+    const double least = m_context.number("smallest");
+    for (std::size_t i = 0; i < planes.frames.size(); ++i) {
+        const std::vector<TemplateLoop> loops =
+            loopsOn(planes.frames[i], m_subject, *m_subject.mesh);
+        std::string name = m_subject.name + " ";
+        name += static_cast<char>(std::toupper(planes.key));
+        name += std::to_string(i + 1);
+        int piece = 0;
+        for (std::size_t k = 0; k < loops.size(); ++k) {
+            if (loops[k].isHole)
+                continue;
+            std::vector<const TemplateLoop *> holes;
+            double area = std::abs(signedArea(loops[k].points));
+            for (const TemplateLoop &hole : loops)
+                if (hole.isHole && hole.around == static_cast<int>(k)) {
+                    holes.push_back(&hole);
+                    area -= std::abs(signedArea(hole.points));
+                }
+            if (area < least) {
+                ++m_slivers;
+                continue;
+            }
+            std::string key(1, planes.key);
+            key.append("/").append(std::to_string(i)).append("/").append(std::to_string(piece));
+            add(key, piece == 0 ? name : name + " " + std::to_string(piece + 1), planes.frames[i],
+                loops[k], holes);
+            ++piece;
+        }
+    }
+}
+
+void Slicer::slice()
+{
+    const std::string direction = m_context.choice("direction");
+    if (direction == "radial")
+        cut(around());
+    else
+        for (const char axis : direction)
+            cut(across(axis - 'x'));
+    if (m_slivers > 0)
+        m_context.notice({OperationNotice::Kind::Slivers, {}, {}, m_slivers});
+    if (m_failed > 0)
+        m_context.notice({OperationNotice::Kind::Failed});
+    if (m_made == 0 && m_failed == 0)
+        m_context.notice({OperationNotice::Kind::NothingFits});
+}
+
+void make(OperationContext &context)
+{
+    const TemplatePointer subject = context.subject();
+    if (!subject || !subject->mesh) {
+        context.notice({OperationNotice::Kind::NoTemplate});
+        return;
+    }
+    Slicer(context, *subject).slice();
+}
+
+std::vector<ParameterSpec> parameters()
+{
+    return {
+        {.key = "direction",
+         .label = QT_TRANSLATE_NOOP("Operation", "Planes"),
+         .unit = Unit::Choice,
+         .standard = 4,
+         .choices = {{"x", QT_TRANSLATE_NOOP("Operation", "across X")},
+                     {"y", QT_TRANSLATE_NOOP("Operation", "across Y")},
+                     {"z", QT_TRANSLATE_NOOP("Operation", "across Z")},
+                     {"xy", QT_TRANSLATE_NOOP("Operation", "across X and Y")},
+                     {"xz", QT_TRANSLATE_NOOP("Operation", "across X and Z")},
+                     {"yz", QT_TRANSLATE_NOOP("Operation", "across Y and Z")},
+                     {"radial", QT_TRANSLATE_NOOP("Operation", "around")}},
+         .heading = QT_TRANSLATE_NOOP("Operation", "Slices")},
+        {.key = "planesBy",
+         .label = QT_TRANSLATE_NOOP("Operation", "By"),
+         .unit = Unit::Choice,
+         .choices = {{"count", QT_TRANSLATE_NOOP("Operation", "count")},
+                     {"spacing", QT_TRANSLATE_NOOP("Operation", "spacing")}},
+         .countsIf = "direction",
+         .countsFor = {"x", "y", "z", "xy", "xz", "yz"}},
+        {.key = "count",
+         .label = QT_TRANSLATE_NOOP("Operation", "Count"),
+         .unit = Unit::Count,
+         .standard = 6,
+         .least = 1,
+         .most = kMostPlanes,
+         .sliderLeast = 1,
+         .sliderMost = 30,
+         .tip = QT_TRANSLATE_NOOP("Operation", "In each direction")},
+        {.key = "spacing",
+         .label = QT_TRANSLATE_NOOP("Operation", "Spacing"),
+         .unit = Unit::Length,
+         .standard = 25.0,
+         .least = 0.5,
+         .most = 2000.0,
+         .step = 0.5,
+         .sliderLeast = 2.0,
+         .sliderMost = 100.0,
+         .countsIf = "planesBy",
+         .countsFor = {"spacing"}},
+        {.key = "shift",
+         .label = QT_TRANSLATE_NOOP("Operation", "Shift"),
+         .unit = Unit::Share,
+         .standard = 0.0,
+         .least = -0.5,
+         .most = 0.5,
+         .step = 0.01,
+         .sliderLeast = -0.5,
+         .sliderMost = 0.5,
+         .tip = QT_TRANSLATE_NOOP("Operation", "Of all planes, as a part of their spacing")},
+        {.key = "smallest",
+         .label = QT_TRANSLATE_NOOP("Operation", "Smallest piece"),
+         .unit = Unit::Number,
+         .standard = 25,
+         .least = 0,
+         .most = 100000,
+         .sliderLeast = 0,
+         .sliderMost = 500,
+         .tip = QT_TRANSLATE_NOOP("Operation", "In mm²; smaller ones are left out")},
+        {.key = "hollow",
+         .label = QT_TRANSLATE_NOOP("Operation", "Hollow"),
+         .unit = Unit::Switch,
+         .tip = QT_TRANSLATE_NOOP("Operation", "Only a wall along the contour is left")},
+        {.key = "wall",
+         .label = QT_TRANSLATE_NOOP("Operation", "Wall"),
+         .unit = Unit::Length,
+         .standard = 12.0,
+         .least = 0.5,
+         .most = 500.0,
+         .step = 0.5,
+         .sliderLeast = 2.0,
+         .sliderMost = 50.0,
+         .countsIf = "hollow",
+         .countsFor = {"true"}},
+    };
+}
+
+} // namespace
+
+const OperationKind kSlices{
+    .key = "slices",
+    .version = 1,
+    .name = QT_TRANSLATE_NOOP("Operation", "Slices"),
+    .summary = QT_TRANSLATE_NOOP("Operation", "Cuts a mesh into sections that follow its form."),
+    .inputs = {},
+    .parameters = parameters(),
+    .make = make,
+    .isOfTemplate = true};
+
+} // namespace fff

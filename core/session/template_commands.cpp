@@ -1,0 +1,196 @@
+#include "core/session/template_commands.h"
+
+#include "core/io/template_file.h"
+#include "core/model/template_edits.h"
+#include "core/session/command_rules.h"
+#include "core/session/operation_script.h"
+#include "core/session/template_words.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+constexpr double kPercent = 100.0;
+
+Result<bool> truthOf(const CommandParameters &parameters, const char *key, bool otherwise)
+{
+    const std::string *text = textOf(parameters, key);
+    if (!text)
+        return otherwise;
+    if (*text != "true" && *text != "false")
+        return failure(ErrorCode::BadValue, key, {*text, "true or false"});
+    return *text == "true";
+}
+
+class TemplateCommands
+{
+public:
+    TemplateCommands(Session &session, Interaction &interaction)
+        : m_session(session), m_interaction(interaction)
+    {
+    }
+
+    Result<void> add(const CommandParameters &parameters, double time) const
+    {
+        const std::string *file = textOf(parameters, "file");
+        if (!file)
+            return failure(ErrorCode::BadValue, "file", {"nothing", "the name of a file"});
+        io::TemplateFileOptions options;
+        const Result<double> size = numberOf(parameters, "size", 0.0);
+        const Result<bool> isByReference = truthOf(parameters, "reference", false);
+        if (!size)
+            return tl::unexpected(size.error());
+        if (!isByReference)
+            return tl::unexpected(isByReference.error());
+        options.size = *size;
+        options.isByReference = *isByReference;
+        if (const std::string *up = textOf(parameters, "up"))
+            options.up = *up == "z" ? UpAxis::Z : UpAxis::Y;
+        const Result<io::LoadedTemplate> loaded =
+            io::readTemplateFile(QString::fromStdString(*file), options);
+        if (!loaded)
+            return tl::unexpected(loaded.error());
+        m_interaction.carryOut(addedTemplate(m_session.committed().document, *loaded), time);
+        return {};
+    }
+
+    Result<void> set(const CommandParameters &parameters, double time) const
+    {
+        Result<Template> one = templateOf(parameters);
+        if (!one)
+            return tl::unexpected(one.error());
+        double size = one->mesh ? one->scale * one->mesh->mesh->size() : 0.0;
+        double opacity = kPercent * one->opacity;
+        const double sizeBefore = size;
+        Vec3 &at = one->frame.origin;
+        for (const auto &[key, number] :
+             {std::pair("x", &at.x()), std::pair("y", &at.y()), std::pair("z", &at.z()),
+              std::pair("size", &size), std::pair("opacity", &opacity)}) {
+            const Result<double> value = numberOf(parameters, key, *number);
+            if (!value)
+                return tl::unexpected(value.error());
+            *number = *value;
+        }
+        if (size != sizeBefore && sizeBefore > 0.0)
+            one->scale *= size / sizeBefore;
+        if (opacity != kPercent * one->opacity)
+            one->opacity = opacity / kPercent;
+        for (const auto &[key, flag] :
+             {std::pair("hidden", &one->isHidden), std::pair("locked", &one->isLocked)}) {
+            const Result<bool> truth = truthOf(parameters, key, *flag);
+            if (!truth)
+                return tl::unexpected(truth.error());
+            *flag = *truth;
+        }
+        if (const std::string *name = textOf(parameters, "name"))
+            one->name = *name;
+        if (const auto next = setTemplate(m_session.committed().document, *one); !next)
+            return tl::unexpected(next.error());
+        m_interaction.carryOut(
+            changedTemplate(m_session.committed().document, *one, steps::kChangeTemplate), time);
+        return {};
+    }
+
+    Result<void> remove(const CommandParameters &parameters, double time) const
+    {
+        const Result<Template> one = templateOf(parameters);
+        if (!one)
+            return tl::unexpected(one.error());
+        Result<Document> next = removeTemplate(m_session.committed().document, one->id);
+        if (!next)
+            return tl::unexpected(next.error());
+        m_interaction.carryOut(
+            EditedSections{*std::move(next), {steps::kRemoveTemplate, {Named{one->name}}}}, time);
+        return {};
+    }
+
+    Result<void> toGround(const CommandParameters &parameters, double time) const
+    {
+        return changeMesh(parameters, time,
+                          [](const Template &one) { return onGround(one, *one.mesh); });
+    }
+
+    /// About where it stands.
+    Result<void> turnUp(const CommandParameters &parameters, double time) const
+    {
+        return changeMesh(parameters, time, [](const Template &one) {
+            const bool isYUp = one.frame.y.y() > 0.5;
+            Template next = stood(one, *one.mesh, isYUp ? UpAxis::Z : UpAxis::Y, 0.0);
+            next.scale = one.scale;
+            next.frame.origin.x() = one.frame.origin.x();
+            next.frame.origin.z() = one.frame.origin.z();
+            return onGround(next, *one.mesh);
+        });
+    }
+
+private:
+    template <class Change>
+    Result<void> changeMesh(const CommandParameters &parameters, double time, Change change) const
+    {
+        const Result<Template> one = templateOf(parameters);
+        if (!one)
+            return tl::unexpected(one.error());
+        if (!one->mesh)
+            return failure(ErrorCode::BadValue, "template", {one->name, "a mesh that is there"});
+        m_interaction.carryOut(
+            changedTemplate(m_session.committed().document, change(*one), steps::kMoveTemplate),
+            time);
+        return {};
+    }
+
+    Result<Template> templateOf(const CommandParameters &parameters) const
+    {
+        const std::vector<TemplatePointer> &all = m_session.committed().document.templates;
+        const std::string *name = textOf(parameters, "template");
+        const auto found =
+            name ? std::find_if(all.begin(), all.end(),
+                                [name](const TemplatePointer &one) { return one->name == *name; })
+                 : all.end() - (all.empty() ? 0 : 1);
+        if (found == all.end())
+            return failure(ErrorCode::BadValue, "template",
+                           {name ? *name : "nothing", "the name of a template"});
+        return **found;
+    }
+
+    Session &m_session;
+    Interaction &m_interaction;
+};
+
+} // namespace
+
+SectionEdit addedTemplate(const Document &document, const io::LoadedTemplate &loaded)
+{
+    Document next = loaded.addedTo(document);
+    const std::string name = next.templates.back()->name;
+    return EditedSections{std::move(next), {steps::kAddTemplate, {Named{name}}}};
+}
+
+SectionEdit changedTemplate(const Document &document, const Template &changed, Text step)
+{
+    Result<Document> next = setTemplate(document, changed);
+    return EditedSections{next ? *std::move(next) : document, {step, {Named{changed.name}}}};
+}
+
+void registerTemplateCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    const TemplateCommands commands(session, interaction);
+    using Run = Result<void> (TemplateCommands::*)(const CommandParameters &, double) const;
+    const auto runner = [commands](Run run) {
+        return [commands, run](const CommandParameters &parameters, double time) {
+            return (commands.*run)(parameters, time);
+        };
+    };
+    const CommandRule hasTemplates =
+        needs([&session] { return !session.committed().document.templates.empty(); },
+              FFF_TEXT("Command", "There is no template: add a mesh or a picture first"));
+    registry.add("template.add", {runner(&TemplateCommands::add)});
+    for (const auto &[id, run] : {std::pair("template.set", &TemplateCommands::set),
+                                  std::pair("template.remove", &TemplateCommands::remove),
+                                  std::pair("template.toGround", &TemplateCommands::toGround),
+                                  std::pair("template.turnUp", &TemplateCommands::turnUp)})
+        registry.add(id, {runner(run), hasTemplates});
+}
+
+} // namespace fff

@@ -1,0 +1,24 @@
+// template.add, set, remove, toGround and turnUp: what sections are drawn after.
+#pragma once
+
+#include "core/interaction/commands.h"
+#include "core/interaction/interaction.h"
+#include "core/interaction/section_edit.h"
+#include "core/io/template_file.h"
+#include "core/session/session.h"
+
+namespace fff {
+
+/// add takes "file", and may be told "size" (mm, of the largest extent), "up" ("y" or "z") and
+/// "reference" ("true": its bytes stay where they are). The others take "template" (its name;
+/// without it the last one). set: "name", "x", "y" and "z" (mm, of its middle), "size", "opacity"
+/// (percent), "hidden" and "locked". turnUp lays it so that the other one of the file's y and z is
+/// upwards. Session and interaction outlive the registry.
+void registerTemplateCommands(CommandRegistry &registry, Session &session,
+                              Interaction &interaction);
+
+/// The steps of the history: a template comes, or is another one (of these words, of its name).
+SectionEdit addedTemplate(const Document &document, const io::LoadedTemplate &loaded);
+SectionEdit changedTemplate(const Document &document, const Template &changed, Text step);
+
+} // namespace fff
