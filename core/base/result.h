@@ -75,6 +75,7 @@ enum class WarningCode {
     NotchedContour,      // a hole that reaches out of its contour was cut out of it
     TrailingLines,       // text after the last section was ignored
     MissingBlob,         // a picture or the like was left out; args: its name, why
+    MissingTemplate,     // a template keeps its place without what it shows; args: its name
 };
 
 struct Warning

@@ -4,6 +4,7 @@
 #include "core/io/pipes.h"
 #include "core/io/replacement.h"
 #include "core/io/svg_reader.h"
+#include "core/io/template_file.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
@@ -157,8 +158,11 @@ Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &opti
     if (!format)
         return tl::unexpected(format.error());
     Result<LoadedDocument> loaded = (*format)->readModel(*bytes, name, options);
-    if (loaded)
+    if (loaded) {
         loaded->format = *format;
+        loaded->document =
+            withTemplateMeshes(std::move(loaded->document), loaded->warnings, options.work);
+    }
     return loaded;
 }
 

@@ -257,6 +257,10 @@ QString warningSentence(const Warning &warning)
                                ErrorTexts::tr("a picture or a mesh was left out"))
                    //: %2 is a reason such as "its data is missing"
                    : ErrorTexts::tr("%1 was left out: %2").arg(verbatim(args, 0), phrase(args, 1));
+    case WarningCode::MissingTemplate:
+        return ofSection(args,
+                         ErrorTexts::tr("the mesh of %1 could not be read; its place was kept"),
+                         ErrorTexts::tr("a mesh could not be read; its place was kept"));
     }
     return {}; // not reached: every code is above
 }

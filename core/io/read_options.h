@@ -1,6 +1,7 @@
 // What a reader of models may be told.
 #pragma once
 
+#include "core/base/long_work.h"
 #include "core/io/blobs.h"
 #include "core/model/naming.h"
 
@@ -18,6 +19,7 @@ struct ReadOptions
     Naming naming = {}; // of sections that have no names in the file
     FormatValues values = {};
     BlobSource blobs = {}; // of a model whose file names some without having them
+    LongWork work = {};    // of meshes that are in it
 };
 
 } // namespace fff::io

@@ -38,6 +38,7 @@ target_sources(fff_io PRIVATE
     placed_meshes.cpp
     ply_header.cpp
     ply_reader.cpp
+    ply_writer.cpp
     stl_reader.cpp
     svg_clip.cpp
     svg_format.cpp
@@ -47,6 +48,7 @@ target_sources(fff_io PRIVATE
     svg_source.cpp
     svg_values.cpp
     svg_writer.cpp
+    template_file.cpp
     threemf_reader.cpp
     warning_summary.cpp
 )

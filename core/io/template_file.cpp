@@ -3,10 +3,12 @@
 #include "core/io/blobs.h"
 #include "core/io/document_file.h"
 #include "core/io/mesh_file.h"
+#include "core/io/ply_writer.h"
 #include "core/model/edits.h"
 #include "core/model/template_edits.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 
 #include <map>
@@ -22,14 +24,17 @@ UpAxis usualUpAxis(const MeshFormat &format)
     return key == "stl" || key == "3mf" ? UpAxis::Z : UpAxis::Y;
 }
 
-/// The bytes themselves, or of what is in several files all of it in one.
+/// The bytes themselves; of a format that may be spread over several files the mesh as one.
 Result<BlobPointer> blobOf(const QString &path, const LoadedMesh &mesh)
 {
-    Result<std::string> bytes = readMeshFileBytes(path);
-    if (!bytes)
-        return tl::unexpected(std::move(bytes.error()));
-    return makeBlob(*std::move(bytes), std::string("model/") + mesh.format->key,
-                    QFileInfo(path).fileName().toStdString());
+    const std::string name = QFileInfo(path).fileName().toStdString();
+    const auto mediaType = [](const char *key) { return std::string("model/") + key; };
+    if (mesh.format == &gltfMeshFormat())
+        return makeBlob(plyBytes(*mesh.mesh), mediaType(plyMeshFormat().key), name);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::CannotOpen, name, {file.errorString().toStdString()});
+    return makeBlob(file.readAll().toStdString(), mediaType(mesh.format->key), name);
 }
 
 } // namespace
@@ -91,7 +96,7 @@ Result<TemplateMeshPointer> readTemplateMesh(const Template &one, const Document
     return makeTemplateMesh(std::move(mesh->mesh), std::move(mesh->report), work);
 }
 
-Document withTemplateMeshes(Document document, Problems &problems, const LongWork &work)
+Document withTemplateMeshes(Document document, std::vector<Warning> &warnings, const LongWork &work)
 {
     // Several templates of one file are one mesh.
     std::map<std::string, TemplateMeshPointer> known;
@@ -104,7 +109,7 @@ Document withTemplateMeshes(Document document, Problems &problems, const LongWor
             Result<TemplateMeshPointer> mesh = readTemplateMesh(*pointer, document, work);
             if (!mesh) {
                 if (mesh.error().code != ErrorCode::Cancelled)
-                    problems.warn(WarningCode::MissingTemplate, {}, {pointer->name});
+                    warnings.push_back({WarningCode::MissingTemplate, {}, {pointer->name}});
                 found = known.emplace(source, nullptr).first;
             } else {
                 found = known.emplace(source, *std::move(mesh)).first;

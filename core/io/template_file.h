@@ -4,7 +4,6 @@
 
 #include "core/base/long_work.h"
 #include "core/base/result.h"
-#include "core/io/problems.h"
 #include "core/model/document.h"
 #include "core/templates/template_mesh.h"
 
@@ -14,7 +13,7 @@ namespace fff::io {
 
 struct TemplateFileOptions
 {
-    bool isByReference = false; // its bytes stay where they are
+    bool isByReference = false;    // its bytes stay where they are
     std::optional<UpAxis> up = {}; // none: as is usual in such files
     double size = 0.0;             // mm; 0: as its file says, else kTemplateSize
     std::size_t mostTriangles = kMostTriangles;
@@ -39,6 +38,7 @@ Result<TemplateMeshPointer> readTemplateMesh(const Template &one, const Document
 
 /// All meshes of the document that are not there yet, each once. What cannot be read stays a
 /// template without a mesh, with a warning.
-Document withTemplateMeshes(Document document, Problems &problems, const LongWork &work = {});
+Document withTemplateMeshes(Document document, std::vector<Warning> &warnings,
+                            const LongWork &work = {});
 
 } // namespace fff::io
