@@ -87,7 +87,9 @@ target_sources(fff_ui PRIVATE
     docks/properties_dock.cpp
     docks/properties_header.cpp
     docks/section_page.cpp
+    docks/templates_dock.cpp
     files/document_files.cpp
+    files/mesh_import.cpp
     files/export_targets.cpp
     files/exporting.cpp
     files/failures.cpp

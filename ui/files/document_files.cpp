@@ -14,6 +14,7 @@
 #include "ui/files/exporting.h"
 #include "ui/files/failures.h"
 #include "ui/files/format_filters.h"
+#include "ui/files/mesh_import.h"
 #include "ui/files/progress.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/settings.h"
@@ -80,6 +81,13 @@ bool DocumentFiles::insert()
 QString DocumentFiles::askForDrawing()
 {
     FileDialog dialog(&m_window, tr("Import a drawing"), folder(), drawingFilter());
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
+QString DocumentFiles::askForMesh()
+{
+    FileDialog dialog(&m_window, tr("Add a mesh"), folder(), meshFilter());
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }

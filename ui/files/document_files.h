@@ -59,6 +59,8 @@ public:
     bool insert();
     /// The path of a drawing; empty: none was chosen.
     QString askForDrawing();
+    /// The same of a mesh.
+    QString askForMesh();
 
     /// Without a question. A copy is named like the file, but saving it asks where to.
     bool openFile(const QString &path, bool asCopy = false);

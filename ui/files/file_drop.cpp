@@ -1,6 +1,7 @@
 #include "ui/files/file_drop.h"
 
 #include "core/io/formats.h"
+#include "ui/files/mesh_import.h"
 
 #include <QDropEvent>
 #include <QMimeData>
@@ -56,6 +57,8 @@ void FileDrop::tell(const QStringList &paths)
     for (const QString &path : paths) {
         if (io::formatRead(path, &io::Format::readsDrawings))
             Q_EMIT drawingDropped(path);
+        else if (isMeshFile(path))
+            Q_EMIT meshDropped(path);
         else
             models += path;
     }

@@ -19,6 +19,7 @@ Q_SIGNALS:
     void dropped(const QStringList &paths);
     /// A drawing of another program (.svg and the like).
     void drawingDropped(const QString &path);
+    void meshDropped(const QString &path);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

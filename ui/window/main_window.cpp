@@ -21,8 +21,10 @@
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/physics_dock.h"
 #include "ui/docks/properties_dock.h"
+#include "ui/docks/templates_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/files/file_drop.h"
+#include "ui/files/mesh_import.h"
 #include "ui/files/recent_menu.h"
 #include "ui/files/unsaved_work.h"
 #include "ui/properties/open_editor.h"
@@ -121,6 +123,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     connect(m_files, &DocumentFiles::exported, m_actions, &ActionSet::refresh);
     auto *drop = new FileDrop(*this);
     connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
+    connect(drop, &FileDrop::meshDropped, this, &MainWindow::readMesh);
     connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {
         readDrawing(QStringLiteral("section.importSections"), path);
     });
@@ -181,6 +184,7 @@ void MainWindow::makeDocks()
     m_outline->addKey(m_actions->action("section.mark"));
     m_history = new HistoryDock(*m_bench, this);
     m_library = new LibraryDock(*m_bench, this);
+    m_templates = new TemplatesDock(*m_bench, this);
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_physics = new PhysicsDock(*m_bench, this);
@@ -204,6 +208,7 @@ void MainWindow::makeDocks()
     m_layout->add(m_outline, WindowLayout::Place::Left);
     m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
     m_layout->add(m_history, WindowLayout::Place::Left);
+    m_layout->add(m_templates, WindowLayout::Place::Left, false);
     m_layout->add(m_library, WindowLayout::Place::Left, false);
     connect(m_layout, &WindowLayout::hiddenChanged, m_actions, &ActionSet::refresh);
 
@@ -216,6 +221,8 @@ void MainWindow::makeDocks()
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
     connect(m_steps, &StepsView::waitingChanged, m_actions, &ActionSet::refresh);
     speakSelection(*m_view, *m_bench, *m_checkList);
+    connect(m_templates, &TemplatesDock::addWanted, this,
+            [this] { run(QStringLiteral("template.addMesh")); });
     connect(m_library, &LibraryDock::said, m_status, &StatusLine::say);
     connect(m_library, &LibraryDock::failed, m_messages,
             [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
@@ -301,6 +308,25 @@ void MainWindow::readDrawing(const QString &command, const QString &path)
     showDocument();
     m_messages->hide(); // of the drawing before
     m_bench->run(command, {{"path", path.toStdString()}});
+}
+
+/// Asks which one.
+void MainWindow::addMesh()
+{
+    if (const QString path = m_files->askForMesh(); !path.isEmpty())
+        readMesh(path);
+}
+
+void MainWindow::readMesh(const QString &path)
+{
+    showDocument();
+    m_messages->hide(); // of the file before
+    const MeshImported imported = importMesh(*this, *m_bench, path);
+    if (!imported.error.isEmpty())
+        m_messages->show(MessageBar::Severity::Error, {imported.error});
+    else if (!imported.remarks.isEmpty())
+        m_messages->show(MessageBar::Severity::Warning, {imported.remarks});
+    m_layout->show(m_templates);
 }
 
 void MainWindow::openFiles(const QStringList &paths)
@@ -416,6 +442,7 @@ void MainWindow::refreshTheme()
     m_history->refreshColours();
     m_checks->refreshColours();
     m_physics->refreshColours();
+    m_templates->refreshColours();
     m_badges->refreshColours();
     m_viewChips->refreshColours();
     m_bar->update();

@@ -23,6 +23,7 @@ class FirstSections;
 class HelpWindow;
 class HistoryDock;
 class LibraryDock;
+class TemplatesDock;
 class MainToolBar;
 class MessageBar;
 class OutlineDock;
@@ -80,6 +81,8 @@ private:
     void addCommands();
     void importDrawing(const QString &command);
     void readDrawing(const QString &command, const QString &path);
+    void addMesh();
+    void readMesh(const QString &path);
     void run(const QString &id);
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.
@@ -96,6 +99,7 @@ private:
     OutlineDock *m_outline = nullptr;
     HistoryDock *m_history = nullptr;
     LibraryDock *m_library = nullptr;
+    TemplatesDock *m_templates = nullptr;
     ChecksDock *m_checks = nullptr;
     PhysicsDock *m_physics = nullptr;
     PropertiesDock *m_properties = nullptr;

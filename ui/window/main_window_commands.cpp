@@ -32,6 +32,9 @@ constexpr CommandWords kWords[] = {
     {"file.insert", FFF_TEXT("Command", "&Insert model…"), FFF_TEXT("Command", "Insert"),
      "Ctrl+Shift+I", "insert_model",
      FFF_TEXT("Command", "Add the sections of another model to this one")},
+    {"template.addMesh", FFF_TEXT("Command", "&Mesh to draw over…"), FFF_TEXT("Command", "Mesh"),
+     "", "figure_polygon",
+     FFF_TEXT("Command", "Read a mesh that sections snap to while you draw them")},
     {"file.addToLibrary", FFF_TEXT("Command", "Add to the &library"),
      FFF_TEXT("Command", "To library"), "", "keep",
      FFF_TEXT("Command", "Keep the selection in the library, for other models")},
@@ -112,6 +115,7 @@ void MainWindow::addCommands()
             showDocument();
     });
     add("file.addToLibrary", [this] { m_library->addSelection(); });
+    add("template.addMesh", [this] { addMesh(); });
     add("file.save", [this] { m_files->save(); });
     add("file.saveAs", [this] { m_files->saveAs(); });
     add(

@@ -1,0 +1,333 @@
+#include "ui/docks/templates_dock.h"
+
+#include "core/base/tolerances.h"
+#include "core/session/template_commands.h"
+#include "core/session/template_words.h"
+#include "core/templates/template_mesh.h"
+#include "ui/base/icon.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
+#include "ui/docks/dock_title.h"
+#include "ui/docks/outline_marks.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/slider_field.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <array>
+#include <tuple>
+
+namespace fff::ui {
+
+namespace {
+
+enum TemplateColumn { kTemplateName, kTemplateLock, kTemplateEye, kTemplateColumns };
+
+constexpr int kTemplateRow = 40, kFieldsMargin = 12, kOpacityField = 72; // px
+constexpr double kHundred = 100.0;
+constexpr NumberEdit::Range kOpacityRange{0.0, kHundred, 5.0, 0, 0};
+constexpr LengthEdit::Range kTemplateSizes{0.1, 1e5, 1.0, 1, 3};
+constexpr LengthEdit::Range kTemplatePlace{-kMaxCoordinate, kMaxCoordinate, 1.0, 1, 3};
+
+double sizeOf(const Template &one)
+{
+    return one.mesh ? one.scale * one.mesh->mesh->size() : 0.0;
+}
+
+} // namespace
+
+TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
+    : QDockWidget(tr("Templates"), parent), m_bench(bench)
+{
+    dressDock(this, "templatesDock");
+    auto *content = new QWidget(this);
+    auto *add = new QPushButton(themedIcon(QStringLiteral("plus")), tr("Add mesh…"), content);
+    add->setObjectName(QStringLiteral("templateAdd"));
+    add->setToolTip(tr("Read a mesh to draw sections after it"));
+    connect(add, &QPushButton::clicked, this, &TemplatesDock::addWanted);
+
+    m_empty = new QLabel(tr("Add a mesh, or drop one on the window: sections that you draw snap to "
+                            "where their planes cut it."),
+                         content);
+    m_empty->setWordWrap(true);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_empty->setContentsMargins(4, 8, 4, 8);
+
+    m_tree = new QTreeWidget(content);
+    m_tree->setObjectName(QStringLiteral("templateTree"));
+    m_tree->setAccessibleName(tr("Templates"));
+    m_tree->setAccessibleDescription(tr("F2 renames, Space hides, L locks, Del removes."));
+    m_tree->setColumnCount(kTemplateColumns);
+    m_tree->setHeaderHidden(true);
+    dressOutline(m_tree, kTemplateEye);
+    m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_tree->installEventFilter(this);
+    connect(m_tree, &QTreeWidget::itemClicked, this, &TemplatesDock::press);
+    connect(m_tree, &QTreeWidget::itemChanged, this, &TemplatesDock::rename);
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &TemplatesDock::refreshFields);
+
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(8, 8, 8, 0);
+    column->addWidget(add);
+    column->addWidget(m_empty);
+    column->addWidget(m_tree);
+    column->addWidget(makeFields(), 1);
+    setWidget(content);
+    connect(&bench.session(), &Session::modelChanged, this, &TemplatesDock::followModel);
+    followModel();
+    refreshFields();
+}
+
+QWidget *TemplatesDock::makeFields()
+{
+    auto *area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    m_fields = new QWidget(area);
+    auto *column = new QVBoxLayout(m_fields);
+    column->setContentsMargins(kFieldsMargin, 0, kFieldsMargin, kFieldsMargin);
+    column->setSpacing(0);
+    m_group = new PropertyGroup(QString(), m_fields);
+    const auto add = [this](PropertyRow *row) {
+        m_group->add(row);
+        m_rows.push_back(row);
+    };
+
+    auto *percent = new NumberEdit(kOpacityRange, QStringLiteral("%"));
+    percent->setFixedWidth(kOpacityField);
+    auto *opacity = new SliderField({0.0, kHundred, 5.0, 2}, percent, m_group);
+    opacity->setNames("templateOpacitySlider", "templateOpacity.field");
+    connect(opacity, &SliderField::settled, this, [this](double value) {
+        change([value](Template &one) { one.opacity = value / kHundred; }, steps::kChangeTemplate);
+    });
+    add(new EditorRow(
+        tr("Opacity"), "templateOpacity", opacity,
+        [this, opacity] {
+            if (const Template *one = chosen())
+                opacity->setNumber(kHundred * one->opacity);
+        },
+        m_group));
+    add(new LengthRow(
+        tr("Size"), "templateSize", kTemplateSizes,
+        [this] { return chosen() ? std::optional(sizeOf(*chosen())) : std::nullopt; },
+        [this](double size) {
+            change(
+                [size](Template &one) {
+                    if (const double before = sizeOf(one); before > 0.0)
+                        one.scale *= size / before;
+                },
+                steps::kChangeTemplate);
+        },
+        m_group));
+    const std::array<std::pair<QString, const char *>, 3> places{{{tr("Middle X"), "templateX"},
+                                                                  {tr("Middle Y"), "templateY"},
+                                                                  {tr("Middle Z"), "templateZ"}}};
+    for (int axis = 0; axis < 3; ++axis)
+        add(new LengthRow(
+            places[static_cast<std::size_t>(axis)].first,
+            places[static_cast<std::size_t>(axis)].second, kTemplatePlace,
+            [this, axis] {
+                return chosen() ? std::optional(chosen()->frame.origin[axis]) : std::nullopt;
+            },
+            [this, axis](double value) {
+                change([axis, value](Template &one) { one.frame.origin[axis] = value; },
+                       steps::kMoveTemplate);
+            },
+            m_group));
+    add(new TextRow(
+        tr("Extent"), "templateExtent",
+        [this]() -> QString {
+            const Template *one = chosen();
+            if (!one || !one->mesh)
+                return tr("unknown");
+            const Vec3 size = worldBounds(*one, *one->mesh).size();
+            return sizeText({size.x(), size.y(), size.z()}, 1, locale());
+        },
+        m_group));
+    column->addWidget(m_group);
+    column->addSpacing(8);
+
+    auto *buttons = new QHBoxLayout;
+    for (const auto &[text, id, name, tip] :
+         {std::tuple(tr("To the ground"), "template.toGround", "templateToGround",
+                     tr("Stand it on the ground")),
+          std::tuple(tr("Turn up"), "template.turnUp", "templateTurnUp",
+                     tr("Lay it on its other side: what is up in it is up in the view"))}) {
+        auto *button = new QPushButton(text, m_fields);
+        button->setObjectName(QLatin1String(name));
+        button->setToolTip(tip);
+        button->setAutoDefault(false);
+        connect(button, &QPushButton::clicked, this, [this, command = QLatin1String(id)] {
+            if (const Template *one = chosen())
+                m_bench.run(command, {{"template", one->name}});
+        });
+        buttons->addWidget(button);
+    }
+    column->addLayout(buttons);
+    column->addStretch();
+    area->setWidget(m_fields);
+    return area;
+}
+
+void TemplatesDock::refreshColours()
+{
+    writeRows();
+}
+
+void TemplatesDock::followModel()
+{
+    const std::vector<TemplatePointer> &now = m_bench.session().model().document.templates;
+    if (now == m_shown)
+        return;
+    const bool isNew = now.size() > m_shown.size();
+    m_shown = now;
+    writeRows();
+    if (isNew)
+        m_tree->setCurrentItem(m_tree->topLevelItem(m_tree->topLevelItemCount() - 1));
+    refreshFields();
+}
+
+void TemplatesDock::writeRows()
+{
+    const QScopedValueRollback filling(m_isFilling, true);
+    while (m_tree->topLevelItemCount() > static_cast<int>(m_shown.size()))
+        delete m_tree->takeTopLevelItem(m_tree->topLevelItemCount() - 1);
+    for (std::size_t i = 0; i < m_shown.size(); ++i) {
+        QTreeWidgetItem *item = m_tree->topLevelItem(static_cast<int>(i));
+        if (!item) {
+            item = new QTreeWidgetItem(m_tree);
+            item->setSizeHint(kTemplateName, {0, kTemplateRow});
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
+        }
+        writeRow(item, *m_shown[i]);
+    }
+    m_tree->setVisible(!m_shown.empty());
+    m_empty->setVisible(m_shown.empty());
+    m_tree->setFixedHeight(static_cast<int>(m_shown.size()) * kTemplateRow + 4);
+}
+
+void TemplatesDock::writeRow(QTreeWidgetItem *item, const Template &one)
+{
+    item->setIcon(kTemplateName, rowIcon(QStringLiteral("figure_polygon")));
+    item->setText(kTemplateName, QString::fromStdString(one.name));
+    const auto triangles = one.mesh ? static_cast<int>(one.mesh->mesh->triangles().size()) : 0;
+    item->setToolTip(
+        kTemplateName,
+        one.mesh ? tr("%1: %n triangles", nullptr, triangles).arg(QString::fromStdString(one.file))
+                 : tr("%1 is missing").arg(QString::fromStdString(one.file)));
+    item->setForeground(
+        kTemplateName,
+        palette().brush(one.isHidden || !one.mesh ? QPalette::PlaceholderText : QPalette::Text));
+    setMark(item, kTemplateLock,
+            one.isLocked ? QStringLiteral("lock") : QStringLiteral("lock_open"),
+            rowIcon(one.isLocked ? QStringLiteral("lock") : QStringLiteral("lock_open")),
+            one.isLocked ? tr("Unlock") : tr("Lock"));
+    setMark(item, kTemplateEye, one.isHidden ? QStringLiteral("eye_off") : QStringLiteral("eye"),
+            rowIcon(one.isHidden ? QStringLiteral("eye_off") : QStringLiteral("eye")),
+            one.isHidden ? tr("Show") : tr("Hide"));
+}
+
+void TemplatesDock::rename(QTreeWidgetItem *item)
+{
+    const int row = m_tree->indexOfTopLevelItem(item);
+    if (m_isFilling || row < 0)
+        return;
+    const QScopedValueRollback filling(m_isFilling, true);
+    const Template &one = *m_shown[static_cast<std::size_t>(row)];
+    const QString name = typedName(item, QString::fromStdString(one.name));
+    if (name.isEmpty())
+        return;
+    // Only after the editor has gone: the commit writes the row anew.
+    QMetaObject::invokeMethod(
+        this,
+        [this, name] {
+            change([name](Template &changed) { changed.name = name.toStdString(); },
+                   steps::kChangeTemplate);
+        },
+        Qt::QueuedConnection);
+}
+
+void TemplatesDock::press(QTreeWidgetItem *item, int column)
+{
+    m_tree->setCurrentItem(item);
+    if (column == kTemplateEye)
+        key(Qt::Key_Space);
+    else if (column == kTemplateLock)
+        key(Qt::Key_L);
+}
+
+bool TemplatesDock::key(int key)
+{
+    const Template *one = chosen();
+    if (!one)
+        return false;
+    switch (key) {
+    case Qt::Key_Space:
+        change([](Template &changed) { changed.isHidden = !changed.isHidden; },
+               one->isHidden ? steps::kShowTemplate : steps::kHideTemplate);
+        return true;
+    case Qt::Key_L:
+        change([](Template &changed) { changed.isLocked = !changed.isLocked; },
+               steps::kChangeTemplate);
+        return true;
+    case Qt::Key_Delete:
+        m_bench.run(QStringLiteral("template.remove"), {{"template", one->name}});
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool TemplatesDock::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_tree && event->type() == QEvent::KeyPress &&
+        key(static_cast<QKeyEvent *>(event)->key()))
+        return true;
+    return QDockWidget::eventFilter(watched, event);
+}
+
+const Template *TemplatesDock::chosen() const
+{
+    const int row = m_tree->indexOfTopLevelItem(m_tree->currentItem());
+    return row < 0 || row >= static_cast<int>(m_shown.size())
+               ? nullptr
+               : m_shown[static_cast<std::size_t>(row)].get();
+}
+
+/// A locked one stays as it lies; it can be hidden, renamed and unlocked.
+void TemplatesDock::change(const std::function<void(Template &)> &change, Text step)
+{
+    const Template *one = chosen();
+    const Document &document = m_bench.session().committed().document;
+    const Template *committed = one ? document.find(one->id) : nullptr;
+    if (!committed)
+        return;
+    Template next = *committed;
+    change(next);
+    const bool isHeld = committed->isLocked && next.isLocked && !next.hasFormOf(*committed);
+    if (!isHeld)
+        m_bench.editSections(changedTemplate(document, next, step));
+    refreshFields(); // what was refused goes back to what it was
+}
+
+void TemplatesDock::refreshFields()
+{
+    const Template *one = chosen();
+    m_fields->setVisible(one != nullptr);
+    if (!one)
+        return;
+    m_group->setEnabled(!one->isLocked);
+    for (PropertyRow *row : m_rows)
+        row->refresh();
+}
+
+} // namespace fff::ui

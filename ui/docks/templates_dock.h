@@ -1,0 +1,60 @@
+// What sections are drawn after: a list, and the numbers of the one that is chosen in it.
+#pragma once
+
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/base/text.h"
+#include "core/model/template.h"
+
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace fff::ui {
+
+class PropertyGroup;
+class PropertyRow;
+class Workbench;
+
+class TemplatesDock : public QDockWidget
+{
+    Q_OBJECT
+public:
+    explicit TemplatesDock(Workbench &bench, QWidget *parent = nullptr);
+
+    void refreshColours();
+
+Q_SIGNALS:
+    void addWanted();
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    QWidget *makeFields();
+    void followModel();
+    void writeRows();
+    void writeRow(QTreeWidgetItem *item, const Template &one);
+    void rename(QTreeWidgetItem *item);
+    void press(QTreeWidgetItem *item, int column);
+    bool key(int key);
+    void refreshFields();
+
+    /// The one whose fields are shown; null without any.
+    const Template *chosen() const;
+    void change(const std::function<void(Template &)> &change, Text step);
+
+    Workbench &m_bench;
+    QTreeWidget *m_tree = nullptr;
+    QLabel *m_empty = nullptr;
+    QWidget *m_fields = nullptr;
+    PropertyGroup *m_group = nullptr;
+    std::vector<PropertyRow *> m_rows;
+    std::vector<TemplatePointer> m_shown; // what the rows are of
+    bool m_isFilling = false;
+};
+
+} // namespace fff::ui

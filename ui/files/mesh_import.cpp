@@ -1,0 +1,69 @@
+#include "ui/files/mesh_import.h"
+
+#include "core/io/error_text.h"
+#include "core/io/mesh_formats.h"
+#include "core/io/template_file.h"
+#include "core/session/message_text.h"
+#include "core/session/template_commands.h"
+#include "ui/bench/workbench.h"
+#include "ui/files/progress.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <stop_token>
+
+namespace fff::ui {
+
+namespace {
+
+struct MeshTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::MeshImport)
+};
+
+QString remarksOf(const MeshReport &report)
+{
+    QStringList lines;
+    for (const Message &message : report.messages())
+        lines += messageText(message);
+    return lines.join(QLatin1Char(' '));
+}
+
+} // namespace
+
+QString meshFilter()
+{
+    return MeshTexts::tr("Meshes (%1)").arg(io::meshPatterns()) + QStringLiteral(";;") +
+           MeshTexts::tr("All files (*)");
+}
+
+bool isMeshFile(const QString &path)
+{
+    const QString suffix = QStringLiteral("*.") + QFileInfo(path).suffix().toLower();
+    return io::meshPatterns().split(QLatin1Char(' ')).contains(suffix);
+}
+
+MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
+{
+    const QString name = QFileInfo(path).fileName();
+    std::stop_source stop;
+    auto loaded =
+        inBackground<Result<io::LoadedTemplate>>(window, MeshTexts::tr("Reading %1…").arg(name),
+                                                 MayCancel::Yes, [path, token = stop.get_token()] {
+                                                     io::TemplateFileOptions options;
+                                                     options.work.stop = token;
+                                                     return io::readTemplateFile(path, options);
+                                                 });
+    if (!loaded) {
+        stop.request_stop();
+        return {};
+    }
+    if (!*loaded)
+        return {io::errorText(loaded->error()), {}};
+    const MeshReport report = (*loaded)->made.mesh->report;
+    bench.editSections(addedTemplate(bench.session().committed().document, **loaded));
+    return {{}, remarksOf(report)};
+}
+
+} // namespace fff::ui

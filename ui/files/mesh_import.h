@@ -1,0 +1,26 @@
+// Meshes that come into the model as templates: asked for, read beside the window, and put there as
+// one step.
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace fff::ui {
+
+class Workbench;
+
+/// "Meshes (*.stl *.obj …);;All files (*)"
+QString meshFilter();
+bool isMeshFile(const QString &path);
+
+/// What there is to be said when it is over: what was wrong with the file; empty: nothing.
+struct MeshImported
+{
+    QString error;   // it was not read
+    QString remarks; // what was mended in it
+};
+/// Does nothing where it is given up.
+MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path);
+
+} // namespace fff::ui
