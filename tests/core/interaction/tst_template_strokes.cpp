@@ -1,0 +1,239 @@
+// Sections that are drawn over a mesh: along its cut, free of it, and of all of it at once.
+#include "tests/core/interaction/desk.h"
+
+#include "core/model/template_edits.h"
+#include "core/templates/template_cut.h"
+#include "core/templates/template_mesh.h"
+#include "tests/core/templates/made_meshes.h"
+#include "tests/test_program.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+constexpr double kBall = 60.0; // mm, radius
+
+/// A mesh whose middle is that of the first plane.
+void addMesh(Desk &desk, const MeshDraft &draft)
+{
+    Template one;
+    one.name = "Ball";
+    one.file = "ball.stl";
+    one.mesh = makeTemplateMesh(mended(draft).value().mesh, {}).value();
+    one.scale = 1.0;
+    one.frame.origin = {0.0, kFirstPlaneHeight, 0.0};
+    const Document next = addTemplate(desk.session.committed().document, one).value();
+    desk.session.commit(QStringLiteral("Add template"), next);
+}
+
+void addBall(Desk &desk)
+{
+    addMesh(desk, sphere(kBall, 120, 180));
+}
+
+/// How far the contour is from the ball, at most, mm.
+double offBall(const Section &section)
+{
+    double most = 0.0;
+    for (const Vec2 &p : section.shape->contour().polygon(0.005)) {
+        const Vec3 at = section.frame.toWorld(p) - Vec3(0.0, kFirstPlaneHeight, 0.0);
+        most = std::max(most, std::abs(at.norm() - kBall));
+    }
+    return most;
+}
+
+/// Round in the front plane, so far off the ball's outline, with a wobble.
+void drawRound(Desk &desk, double off, double share, Modifiers modifiers = {})
+{
+    const auto at = [&](double t) {
+        const double a = 2.0 * std::numbers::pi * t;
+        const double r = kBall + off + 1.5 * std::sin(19.0 * t) + std::sin(53.0 * t);
+        return desk.plate(r * std::cos(a), r * std::sin(a));
+    };
+    desk.moveTo(at(0.0), modifiers);
+    desk.press(at(0.0), Button::Left, modifiers);
+    for (int i = 1; i <= 90; ++i)
+        desk.moveTo(at(share * i / 90), modifiers, 1);
+    desk.release(desk.cursor, Button::Left, modifiers);
+}
+
+const sign::Guides *guidesShown(const Desk &desk)
+{
+    return desk.interaction.overlay().drawn.find<sign::Guides>();
+}
+
+} // namespace
+
+class TestTemplateStrokes : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theFirstSectionFollowsTheMesh();
+    void ctrlAndSnapLeaveIt();
+    void aSectionAcrossFollowsIt();
+    void theWholeGuideAtOnce();
+    void holesOfTheCutAreHolesOfTheSection();
+    void aSlitBesideTheMesh();
+    void aPlaneIsTakenWithAClick();
+    void hiddenOnesAreNoGuides();
+    void undoGivesBackWhatWasThere();
+};
+
+void TestTemplateStrokes::theFirstSectionFollowsTheMesh()
+{
+    Desk desk;
+    addBall(desk);
+    drawRound(desk, 3.0, 0.98);
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY2(offBall(*desk.sections()[0]) < 0.06,
+             qPrintable(QString::number(offBall(*desk.sections()[0]))));
+    QVERIFY(desk.sections()[0]->shape->contour().segmentCount() < 24);
+}
+
+void TestTemplateStrokes::ctrlAndSnapLeaveIt()
+{
+    Desk free;
+    addBall(free);
+    free.interaction.settings().snaps = false;
+    drawRound(free, 3.0, 0.98);
+    QCOMPARE(free.sections().size(), std::size_t(1));
+    QVERIFY(offBall(*free.sections()[0]) > 2.0);
+}
+
+/// Both halves of the stroke: a plane of its own, whose cut is another circle.
+void TestTemplateStrokes::aSectionAcrossFollowsIt()
+{
+    Desk desk;
+    addBall(desk);
+    drawRound(desk, 2.0, 0.98);
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    desk.moveTo(desk.plate(20, 30));
+    desk.press(desk.plate(20, 30));
+    desk.moveTo(desk.plate(20, 62));
+    QVERIFY(guidesShown(desk));
+    desk.wait(2000.0); // the view turns
+    QVERIFY(guidesShown(desk));
+    QVERIFY(desk.interaction.hasGuide());
+    const sign::Guides guides = *guidesShown(desk);
+    QCOMPARE(guides.loops.size(), std::size_t(1));
+    // Along it from where it is nearest, all round.
+    Polygon loop = guides.loops[0].points;
+    const auto start =
+        std::min_element(loop.begin(), loop.end(), [&](const Vec2 &a, const Vec2 &b) {
+            const Vec2 end(32.0, 0.0);
+            return (a - end).norm() < (b - end).norm();
+        });
+    std::rotate(loop.begin(), start, loop.end());
+    for (std::size_t i = 0; i < loop.size(); i += 3)
+        desk.moveTo(desk.screen(guides.canvas.toWorld(1.02 * loop[i])), {}, 1);
+    desk.release(desk.cursor);
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QVERIFY2(offBall(*desk.sections()[1]) < 0.06,
+             qPrintable(QString::number(offBall(*desk.sections()[1]))));
+    QVERIFY(desk.sections()[1]->parent);
+    QCOMPARE(desk.session.currentAnalysis().assembly.joints.size(), std::size_t(1));
+}
+
+void TestTemplateStrokes::theWholeGuideAtOnce()
+{
+    Desk desk;
+    addBall(desk);
+    drawRound(desk, 2.0, 0.98);
+    desk.moveTo(desk.plate(10, 30));
+    desk.press(desk.plate(10, 30));
+    desk.moveTo(desk.plate(12, 66));
+    desk.wait(2000.0);
+    QVERIFY(desk.commands.isEnabled("section.takeGuide"));
+    const int steps = desk.steps();
+    desk.run("section.takeGuide");
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QCOMPARE(desk.steps(), steps + 1);
+    QVERIFY(offBall(*desk.sections()[1]) < 0.06);
+    QVERIFY(!desk.interaction.hasGesture());
+    desk.release(desk.cursor); // comes to nothing more
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+}
+
+void TestTemplateStrokes::holesOfTheCutAreHolesOfTheSection()
+{
+    Desk desk;
+    addMesh(desk, torus(60, 20, 160, 80)); // about z: the front plane cuts a ring
+    drawRound(desk, 80.0 - kBall, 0.5);    // any stroke, to have the guides
+    desk.run("edit.undo");
+    desk.moveTo(desk.plate(80, 0));
+    desk.press(desk.plate(80, 0));
+    desk.moveTo(desk.plate(80, 20));
+    QVERIFY(desk.interaction.hasGuide());
+    desk.run("section.takeGuide");
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    const Shape &shape = *desk.sections()[0]->shape;
+    QCOMPARE(shape.holes().size(), std::size_t(1));
+    const double pi = std::numbers::pi;
+    QVERIFY(std::abs(shape.area() / (pi * (6400 - 1600)) - 1.0) < 0.01);
+}
+
+void TestTemplateStrokes::aSlitBesideTheMesh()
+{
+    Desk desk;
+    addMesh(desk, sphere(10.0, 40, 60));
+    desk.addPlate(0.0, {100, 60});
+    desk.moveTo(desk.plate(80, 30));
+    desk.press(desk.plate(80, 30));
+    desk.moveTo(desk.plate(80, 75));
+    desk.wait(2000.0);
+    // The plane at x = 80 does not meet the small ball at all.
+    QVERIFY(!desk.interaction.hasGuide());
+    desk.run("section.takeGuide"); // does nothing
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+}
+
+void TestTemplateStrokes::aPlaneIsTakenWithAClick()
+{
+    Desk desk;
+    addBall(desk);
+    desk.run("section.planeFront");
+    desk.wait(2000.0);
+    QVERIFY(desk.interaction.hasGuide());
+    const sign::Guides *guides = desk.interaction.overlay().held.find<sign::Guides>();
+    QVERIFY(guides);
+    desk.click(desk.screen(guides->canvas.toWorld(guides->loops[0].points[7])));
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+}
+
+void TestTemplateStrokes::hiddenOnesAreNoGuides()
+{
+    Desk desk;
+    addBall(desk);
+    desk.run("template.set", {{"template", "Ball"}, {"hidden", "true"}});
+    drawRound(desk, 3.0, 0.98);
+    QVERIFY(offBall(*desk.sections()[0]) > 2.0);
+}
+
+void TestTemplateStrokes::undoGivesBackWhatWasThere()
+{
+    Desk desk;
+    const Document before = desk.session.committed().document;
+    addBall(desk);
+    drawRound(desk, 2.0, 0.98);
+    desk.run("template.set", {{"size", "200"}, {"x", "30"}, {"opacity", "50"}});
+    const Template &one = *desk.session.committed().document.templates[0];
+    QVERIFY(std::abs(one.scale * one.mesh->mesh->size() - 200.0) < 1e-9);
+    QCOMPARE(one.opacity, 0.5);
+    desk.run("template.toGround");
+    QVERIFY(std::abs(worldBounds(*desk.session.committed().document.templates[0],
+                                 *desk.session.committed().document.templates[0]->mesh)
+                         .min.y()) < 1e-9);
+    desk.run("template.remove");
+    QVERIFY(desk.session.committed().document.templates.empty());
+    while (desk.session.history()->canUndo())
+        desk.run("edit.undo");
+    QVERIFY(desk.session.committed().document == before);
+}
+
+FFF_TEST(TestTemplateStrokes)
+#include "tst_template_strokes.moc"
