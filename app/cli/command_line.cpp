@@ -43,6 +43,8 @@ constexpr std::array kVerbs = {
     Verb{"operations", "[FILE] [--json] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "All kinds of operations, or the operations of a model"),
          runOperations},
+    Verb{"cut", "MESH --plane OX,OY,OZ,NX,NY,NZ [--size MM] [--json]",
+         QT_TRANSLATE_NOOP("CommandLine", "The loops in which a plane cuts a mesh"), runCut},
     Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{%1} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Plays a script of what a person does in the window"),
          runReplay, true},

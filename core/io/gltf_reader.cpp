@@ -183,7 +183,7 @@ private:
             draft.positions.emplace_back(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
         std::vector<std::uint32_t> corners;
         const auto add = [&](double index) {
-            corners.push_back(index < double(count)
+            corners.push_back(index >= 0.0 && index < double(count)
                                   ? static_cast<std::uint32_t>(first + std::size_t(index))
                                   : kNoVertex);
         };

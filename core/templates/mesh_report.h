@@ -32,7 +32,4 @@ struct MeshReport
     std::vector<Message> messages() const;
 };
 
-/// "12 faces in 3 shells".
-Message sizeOfMesh(std::size_t faces, std::size_t shells);
-
 } // namespace fff

@@ -36,11 +36,14 @@ std::size_t PlaneCut::bridges() const
 
 std::vector<Message> PlaneCut::messages() const
 {
-    if (const std::size_t count = bridges(); count > 0)
-        return {{FFF_TEXT_OF_MANY("Mesh", "%n gaps in the cut were closed by smooth curves."),
-                 {},
-                 static_cast<int>(count)}};
-    return {};
+    const std::size_t count = bridges();
+    if (count == 0)
+        return {};
+    if (count == 1)
+        return {{FFF_TEXT("Mesh", "A gap in the cut was closed by a smooth curve."), {}, {}}};
+    return {{FFF_TEXT_OF_MANY("Mesh", "%n gaps in the cut were closed by smooth curves."),
+             {},
+             static_cast<int>(count)}};
 }
 
 PlaneCut planeCut(const TriangleMesh &mesh, const CutPlane &plane, const MeshTree *tree)
