@@ -15,6 +15,8 @@ class LabelRoom
 public:
     /// What stays free between two boxes, and between a box and the view's edge, px.
     static constexpr double kApart = 2.0, kEdge = 4.0;
+    /// More px than any view has.
+    static constexpr double kAnywhere = 1e6;
 
     /// viewport  width and height, px
     explicit LabelRoom(const Vec2 &viewport) : m_viewport(viewport) {}
@@ -28,9 +30,11 @@ public:
     /// In the view, and on nothing that is taken.
     bool isFree(const Box2 &box) const;
     /// Where a box of this size goes whose middle is wanted there: the free place nearest to that,
-    /// upright ways first, since words are wide. That is looked for in the whole view. Nothing
-    /// where there is none, which takes more words than a person reads.
-    std::optional<Box2> placeFor(const Vec2 &middle, const Vec2 &size) const;
+    /// upright ways first, since words are wide. Nothing where there is none within `farthest` px
+    /// of the wanted place, or of the view where that lies outside it. What is farther away costs
+    /// nothing.
+    std::optional<Box2> placeFor(const Vec2 &middle, const Vec2 &size,
+                                 double farthest = kAnywhere) const;
 
 private:
     bool isInView(const Box2 &box) const;

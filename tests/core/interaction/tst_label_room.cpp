@@ -81,6 +81,40 @@ private Q_SLOTS:
         }
     }
 
+    /// Whoever looks near by only finds what one finds who looks everywhere, if it is near.
+    void lookingNearByFindsTheSame()
+    {
+        std::mt19937 random(31); // NOLINT
+        std::uniform_real_distribution<double> across(0.0, 600.0), along(0.0, 400.0);
+        int near = 0, far = 0;
+        for (int round = 0; round < 200; ++round) {
+            LabelRoom room(kView);
+            for (int i = 0; i < 60; ++i) {
+                const Vec2 at(across(random), along(random));
+                room.take({at - Vec2(30.0, 14.0), at + Vec2(30.0, 14.0)});
+            }
+            const Vec2 wanted(across(random), along(random)), size(70.0, 22.0);
+            constexpr double kReach = 50.0;
+            const auto all = room.placeFor(wanted, size);
+            const auto some = room.placeFor(wanted, size, kReach);
+            const auto way = [&](const Box2 &box) {
+                return std::hypot(1.6 * (box.center().x() - wanted.x()),
+                                  box.center().y() - wanted.y());
+            };
+            // What stays free between two boxes is the slack.
+            constexpr double kSlack = 2.0 * 1.6 * LabelRoom::kApart;
+            if (all && way(*all) <= kReach - kSlack) {
+                QVERIFY(some && room.isFree(*some) && way(*some) <= way(*all) + kSlack);
+                ++near;
+            } else if (some) { // outside the view one looks from its edge on
+                ++far;
+                QVERIFY(all);
+            }
+        }
+        QVERIFY(near > 50);
+        QVERIFY(far < 100);
+    }
+
     void whereItIsFreeNothingMoves()
     {
         LabelRoom room(kView);
