@@ -206,6 +206,14 @@ Message pulledSentence(const Finding &finding, const Model &model)
          Decimal{force, force < kLeastPull ? 3 : 1}}};
 }
 
+/// As its sentence begins, so that several in one row are not said to be worse than they are.
+Message pulledTitle(const Finding &finding)
+{
+    return {finding.severity == Severity::Error ? FFF_TEXT("Checks", "Pulled open")
+                                                : FFF_TEXT("Checks", "Pulled at"),
+            {}};
+}
+
 Message besideSentence(const Finding &finding, const Model &model)
 {
     return {
@@ -410,7 +418,8 @@ const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Check
                                movesSentence};
 const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),
                               pulledSentence, turnSlits,         nullptr,
-                              nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it.")};
+                              nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it."),
+                              pulledTitle};
 const FindingKind kWeightBeside{
     "weightBeside", Subject::Strength, FFF_TEXT("Checks", "Off the material"),
     besideSentence, nullptr,           nullptr,
