@@ -66,6 +66,7 @@ target_sources(fff_ui PRIVATE
     dialogs/stock_list.cpp
     dialogs/stock_words.cpp
     docks/check_entries.cpp
+    docks/shown_problems.cpp
     docks/check_row.cpp
     docks/checks_dock.cpp
     docks/dock_title.cpp

@@ -1,7 +1,6 @@
 #include "core/interaction/camera.h"
 
 #include "core/base/tolerances.h"
-#include "core/base/units.h"
 
 #include <algorithm>
 #include <array>
@@ -14,26 +13,8 @@ namespace {
 
 /// The eye stands this far from the target, mm: beyond anything that a document may hold.
 constexpr double kEyeDistance = 8.0 * kMaxCoordinate;
-/// Part of the viewport that stays free on each side when a box is fitted.
-constexpr double kFitMargin = 0.08;
-/// A smaller box is shown as if it had this size, mm: a point needs some scale.
-constexpr double kSmallestFit = 1.0;
-/// Scales that zooming does not leave, mm per px.
-constexpr double kFinestScale = 1e-5, kCoarsestScale = 1e4;
 /// Nothing is nearer to the eye of a perspective view than this part of its distance.
 constexpr double kNearest = 1e-3;
-/// Width and depth of what an empty document shows, mm.
-constexpr double kEmptyView = 200.0;
-
-/// Ground of 20 cm with the middle of the first plane in its middle.
-Box3 emptyBox()
-{
-    Box3 box;
-    box.extend(Vec3(-0.5 * kEmptyView, 0.0, -0.5 * kEmptyView));
-    box.extend(Vec3(0.5 * kEmptyView, 2.0 * kFirstPlaneHeight, 0.5 * kEmptyView));
-    return box;
-}
-
 /// Offset in the camera's plane, mm, of a screen point from the viewport's middle.
 Vec2 planeOffset(const Camera &camera, const Vec2 &screen, const Vec2 &viewport)
 {
@@ -174,31 +155,6 @@ Camera orbited(const Camera &camera, const Vec2 &pixels, const Vec3 &pivot, cons
     result.target =
         pivot + result.orientation * (camera.orientation.conjugate() * Vec3(camera.target - pivot));
     return pinned(result, pivot, screen, viewport);
-}
-
-Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport)
-{
-    const Box3 shown = box.isEmpty() ? emptyBox() : box;
-    const Vec3 half = 0.5 * shown.size();
-    const Vec2 size = viewport.cwiseMax(1.0);
-    const Vec2 room = (1.0 - 2.0 * kFitMargin) * size;
-    const Vec3 right = camera.right(), up = camera.up(), backward = camera.backward();
-
-    // A corner that stands out towards the eye by `near` needs the more room the nearer the eye is:
-    // across / scale <= room / 2 with scale = millimetresPerPixel - near / perScale.
-    const double perScale = 0.5 * size.y() / std::tan(0.5 * kFieldOfView);
-    double scale = kSmallestFit / room.minCoeff();
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p((corner & 1 ? 1.0 : -1.0) * half.x(), (corner & 2 ? 1.0 : -1.0) * half.y(),
-                     (corner & 4 ? 1.0 : -1.0) * half.z());
-        const double near = camera.isPerspective() ? backward.dot(p) / perScale : 0.0;
-        scale = std::max({scale, 2.0 * std::abs(right.dot(p)) / room.x() + near,
-                          2.0 * std::abs(up.dot(p)) / room.y() + near});
-    }
-    Camera result = camera;
-    result.target = shown.center();
-    result.millimetresPerPixel = std::clamp(scale, kFinestScale, kCoarsestScale);
-    return result;
 }
 
 Camera interpolated(const Camera &from, const Camera &to, double u)

@@ -69,9 +69,6 @@ Camera turned(const Camera &camera, const Eigen::Quaterniond &orientation, const
 /// camera's right; the vertical angle stops at straight up and straight down. The pivot keeps its
 /// place on the screen and its distance from the eye.
 Camera orbited(const Camera &camera, const Vec2 &pixels, const Vec3 &pivot, const Vec2 &viewport);
-/// Target and scale so that the box is seen whole and fills the viewport but for a margin; an empty
-/// box: the ground's 20 cm.
-Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport);
 /// Between two cameras, u from 0 to 1: orientation by slerp, scale geometrically, the projection
 /// that of `to`.
 Camera interpolated(const Camera &from, const Camera &to, double u);
@@ -80,6 +77,8 @@ Camera interpolated(const Camera &from, const Camera &to, double u);
 /// False and untouched when the name is none of them.
 bool orientationOfView(std::string_view name, Eigen::Quaterniond &orientation);
 
+/// Scales that zooming and fitting do not leave, mm per px.
+inline constexpr double kFinestScale = 1e-5, kCoarsestScale = 1e4;
 /// Vertical angle of a perspective view, radians (30°): that of a person before a desk.
 inline constexpr double kFieldOfView = 0.5235987755982988;
 

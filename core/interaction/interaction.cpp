@@ -36,8 +36,7 @@ void Interaction::setViewport(const Vec2 &size)
     if (d->gesture || d->isToolPressed)
         d->motion.camera =
             panned(d->motion.camera, 0.5 * d->motion.viewport, 0.5 * before, d->motion.viewport);
-    if (!d->motion.isTouched)
-        d->motion.fitFirst(d->host.model().bounds());
+    d->followRoom();
 }
 
 const Vec2 &Interaction::viewport() const
@@ -68,14 +67,6 @@ const Camera &Interaction::targetCamera() const
 void Interaction::setCamera(const Camera &camera)
 {
     turnTo(camera, d->now, 0.0);
-}
-
-void Interaction::replaceCamera(const Camera &camera)
-{
-    d->stopMotion();
-    d->motion.camera = camera;
-    d->hover();
-    d->update();
 }
 
 void Interaction::turnTo(const Camera &camera, double time, double duration)
@@ -456,7 +447,7 @@ void Interaction::modelChanged()
     d->selection.follow(model);
     d->points.follow(d->documentOfPoints());
     if (!d->motion.isTouched)
-        d->motion.fitFirst(model.bounds());
+        d->fitFirst();
     d->hover();
     d->update();
 }

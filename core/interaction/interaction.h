@@ -94,8 +94,17 @@ public:
     const Camera &targetCamera() const;
     /// At once. Like turnTo, ends a gesture: what is drawn belongs to the view it began in.
     void setCamera(const Camera &camera);
-    /// The same, but the view before is none to go back to: the window became another size.
-    void replaceCamera(const Camera &camera);
+    /// Looks as `from` does at all that is seen, so that it fills what nothing covers of the view.
+    /// As long as neither camera nor document is another one, it does so whatever room there is.
+    void fitAll(const Camera &from, double time, double duration);
+    /// The same of these world points; it does not follow the room.
+    void fit(std::span<const Vec3> points, double time, double duration);
+    /// Boxes of what stands over the view, px: marks keep out of them, and what is fitted does.
+    void setCovered(std::vector<Box2> covered);
+    const std::vector<Box2> &covered() const;
+    /// What is seen besides the sections, such as a glass that stands on them: world points round
+    /// it.
+    void setSeenBesides(std::vector<Vec3> points);
     /// Animated from `time` on, in `duration` ms (0: at once). A press finishes it at once.
     void turnTo(const Camera &camera, double time, double duration);
     /// Keeps what the model's middle, or that of the selection, looks like; no step of the history.

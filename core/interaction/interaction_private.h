@@ -1,9 +1,9 @@
 // What Interaction keeps between events, for the files that implement it: interaction.cpp (what
 // others ask), interaction_pointer.cpp (events), interaction_replies.cpp (what gestures and tools
 // answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
-// interaction_joints.cpp (marks of joints), interaction_loads.cpp (loads),
-// interaction_sections.cpp (edits of whole sections), interaction_offer.cpp (what a stroke was
-// meant to be).
+// interaction_joints.cpp (marks of joints), interaction_fit.cpp (what fills the view),
+// interaction_loads.cpp (loads), interaction_sections.cpp (edits of whole sections),
+// interaction_offer.cpp (what a stroke was meant to be).
 #pragma once
 
 #include "core/interaction/click_selection.h"
@@ -61,10 +61,7 @@ struct Note
 class Interaction::Private
 {
 public:
-    explicit Private(InteractionHost &h) : host(h), document(h.model().document)
-    {
-        motion.fitFirst(host.model().bounds());
-    }
+    explicit Private(InteractionHost &h) : host(h), document(h.model().document) { fitFirst(); }
 
     GestureContext context()
     {
@@ -75,8 +72,11 @@ public:
     {
         const std::span<const ProblemMark> seen =
             isHandBusy() ? std::span<const ProblemMark>() : marks;
-        return {host.model(), motion.camera, motion.viewport, view, seen};
+        return {host.model(), motion.camera, motion.viewport, view, seen, covered};
     }
+    void fitFirst();
+    Camera fittedToAll(const Camera &from) const;
+    void followRoom();
     bool isHandBusy() const;
 
     void moveOn(double time);
@@ -155,7 +155,10 @@ public:
     ViewMotion motion;
     ViewState view;
     std::vector<ProblemMark> marks;
-    double now = 0.0; // ms, of the last event
+    std::vector<Box2> covered;     // of the view, px
+    std::vector<Vec3> seenBesides; // world
+    Document fittedDocument;       // that the view was fitted to
+    double now = 0.0;              // ms, of the last event
 
     Document document; // committed, as known here
     Selection selection;

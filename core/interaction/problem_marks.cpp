@@ -54,6 +54,7 @@ Vec2 placeOfNumber(const Vec2 &anchor, const LabelRoom &room)
                 return centre;
         }
     }
+    // One that finds no place at all takes the one that it would have had.
     const auto free = room.placeFor(anchor, Vec2::Constant(2.0 * kHalf));
     return free ? free->center() : Vec2(anchor - Vec2(0.0, kReach));
 }
@@ -92,13 +93,21 @@ PlacedMark *nearby(const Vec2 &anchor, std::vector<PlacedMark> &placed)
 } // namespace
 
 std::vector<PlacedMark> placeMarks(std::span<const ProblemMark> marks, const Camera &camera,
-                                   const Vec2 &viewport, const ViewState &view)
+                                   const Vec2 &viewport, const ViewState &view,
+                                   std::span<const Box2> covered)
 {
     const std::vector<std::size_t> seen = seenMarks(marks, camera, viewport, view);
+    std::vector<Box2> above(covered.begin(), covered.end());
+    if (const std::optional<Vec2> cube = cubeCentre(viewport))
+        above.push_back(squareAt(*cube, 0.5 * kCubeRoom));
     LabelRoom room(viewport);
-    const std::optional<Vec2> cube = cubeCentre(viewport);
-    if (cube)
-        room.take(squareAt(*cube, 0.5 * kCubeRoom));
+    for (const Box2 &box : above)
+        room.take(box);
+    const auto isUnderOne = [&above](const Vec2 &anchor) {
+        return std::any_of(above.begin(), above.end(), [&](const Box2 &box) {
+            return overlap(box, squareAt(anchor, kDotsRadius));
+        });
+    };
 
     std::vector<PlacedMark> placed;
     std::set<int> numbered; // rows
@@ -120,7 +129,7 @@ std::vector<PlacedMark> placeMarks(std::span<const ProblemMark> marks, const Cam
         const Vec2 anchor = camera.toScreen(marks[i].at, viewport);
         if (PlacedMark *same = nearby(anchor, placed))
             same->marks.push_back(i);
-        else if (!cube || (anchor - *cube).cwiseAbs().maxCoeff() > 0.5 * kCubeRoom + kDotsRadius)
+        else if (!isUnderOne(anchor))
             placed.push_back({{i}, marks[i].number, anchor, anchor, marks[i].isError, true});
     }
     return placed;

@@ -49,10 +49,13 @@ inline constexpr std::size_t kMostNumbers = 5;
 
 /// Where the marks are seen. Numbers have the chosen problem and errors, one of each row, at most
 /// kMostNumbers: above their anchors, moved round them as far as it takes not to cover another one,
-/// the view cube or the view's edge. All else are dots on their anchors. In this order; left out:
-/// what lies outside the view, behind the eye or behind the cube, and problems of hidden sections.
+/// the view cube, what covers the view or its edge. All else are dots on their anchors. In this
+/// order; left out: what lies outside the view, behind the eye, behind the cube or what covers the
+/// view, and problems of hidden sections.
+/// covered  boxes of what stands over the view, px
 std::vector<PlacedMark> placeMarks(std::span<const ProblemMark> marks, const Camera &camera,
-                                   const Vec2 &viewport, const ViewState &view);
+                                   const Vec2 &viewport, const ViewState &view,
+                                   std::span<const Box2> covered = {});
 
 /// The mark under the cursor, null when there is none.
 const PlacedMark *markAt(const Vec2 &screen, std::span<const PlacedMark> marks);

@@ -35,7 +35,7 @@ std::optional<CubePart> Sight::cubePartAt(const Vec2 &position) const
 
 std::optional<PlacedMark> Sight::markAt(const Vec2 &position) const
 {
-    const std::vector<PlacedMark> placed = placeMarks(marks, camera, viewport, view);
+    const std::vector<PlacedMark> placed = placeMarks(marks, camera, viewport, view, covered);
     const PlacedMark *there = fff::markAt(position, placed);
     return there ? std::optional(*there) : std::nullopt;
 }

@@ -20,6 +20,7 @@ struct Sight
     const Vec2 &viewport; // px
     const ViewState &view;
     std::span<const ProblemMark> marks;
+    std::span<const Box2> covered = {}; // by what stands over the view, px
 
     /// Sections under the place (px), nearest first.
     std::vector<Hit> hitsAt(const Vec2 &position) const;

@@ -16,6 +16,7 @@ target_sources(fff_core PRIVATE
     interaction/hand_in_turn.cpp
     interaction/hovering.cpp
     interaction/interaction.cpp
+    interaction/interaction_fit.cpp
     interaction/interaction_joints.cpp
     interaction/interaction_offer.cpp
     interaction/interaction_operations.cpp
@@ -68,6 +69,7 @@ target_sources(fff_core PRIVATE
     interaction/transform_tool.cpp
     interaction/turning_drag.cpp
     interaction/view_cube.cpp
+    interaction/view_fit.cpp
     interaction/view_gestures.cpp
     interaction/view_history.cpp
     interaction/view_motion.cpp

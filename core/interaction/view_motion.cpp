@@ -2,11 +2,13 @@
 
 namespace fff {
 
-void ViewMotion::fitFirst(const Box3 &bounds)
+void ViewMotion::refit(const Camera &to)
 {
-    Camera front;
-    front.projection = camera.projection;
-    camera = fitted(front, bounds, viewport);
+    fit = to;
+    if (animation)
+        animation->to = to;
+    else
+        camera = to;
 }
 
 void ViewMotion::animate(const Camera &to, double start, double duration)

@@ -15,10 +15,13 @@ struct ViewMotion
     std::optional<CameraAnimation> animation;
     ViewHistory history;
     bool isTouched = false; // until then it follows the viewport's size
+    /// As it was fitted; as long as it is still that one, nobody has looked closer.
+    std::optional<Camera> fit;
 
     const Camera &target() const { return animation ? animation->to : camera; }
-    /// What a document is first seen in: from the front, fitted.
-    void fitFirst(const Box3 &bounds);
+    bool isAsFitted() const { return fit && *fit == target(); }
+    /// Another fit in place of that one: also an animation ends there.
+    void refit(const Camera &to);
     /// At once for a duration of 0 ms.
     void animate(const Camera &to, double start, double duration);
     void finish();

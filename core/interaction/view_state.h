@@ -32,7 +32,7 @@ struct ViewState
     std::set<SectionRef> isolated; // not empty: all others stand back as ghosts
     std::set<SectionRef> hidden;   // neither drawn nor picked
     std::set<SectionRef> problems; // drawn red and hatched: of the problem that is looked at
-    std::set<SectionRef> faulty;   // a red outline only: of the other ones
+    std::set<SectionRef> faulty;   // a red outline only: of what the cursor is on, and feet
     std::optional<ClipPlane> clip;
 
     bool isHidden(const SectionRef &ref) const { return hidden.count(ref) > 0; }

@@ -128,8 +128,7 @@ Result<void> Player::pointer(const ReplayEvent &event, PointerEvent::Type type)
 Result<void> Player::view(const ReplayEvent &event)
 {
     if (event.name == QLatin1String("fit")) {
-        m_interaction.setCamera(fitted(m_interaction.targetCamera(), m_session.committed().bounds(),
-                                       m_interaction.viewport()));
+        m_interaction.fitAll(m_interaction.targetCamera(), m_time, 0.0);
         return {};
     }
     Eigen::Quaterniond orientation;

@@ -46,10 +46,10 @@ Argument stepNamed(const QString &step)
 
 void registerEdits(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    registry.add("file.new", {[&](const CommandParameters &, double) -> Result<void> {
+    registry.add("file.new", {[&](const CommandParameters &, double time) -> Result<void> {
                      session.reset(newDocument());
                      interaction.select({});
-                     interaction.setCamera(fitted(Camera(), Box3(), interaction.viewport()));
+                     interaction.fitAll(Camera(), time, 0.0);
                      interaction.forgetViews();
                      return {};
                  }});

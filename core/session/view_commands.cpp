@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/fabrication/summary.h"
 #include "core/interaction/facing.h"
+#include "core/interaction/view_fit.h"
 #include "core/session/command_rules.h"
 
 #include <array>
@@ -64,35 +65,32 @@ constexpr double kFitTime = 250.0;
 constexpr double kLeastBeside = 5.0;
 
 /// Round the slits of a joint, with what is beside them.
-Box3 jointBounds(const Model &model, const JointRef &joint)
+std::vector<Vec3> pointsRound(const Model &model, const JointRef &joint)
 {
     Box3 box;
     const std::optional<JointState> state = jointState(model, joint);
     if (!state)
-        return box;
+        return {};
     const Crossing &crossing = state->crossing;
     for (const Overlap &overlap : crossing.overlaps)
         for (const double at : {overlap.from, overlap.to})
             box.extend(crossing.axis.at(at));
     const double beside = 0.5 * box.size().norm() + kLeastBeside;
-    for (const Vec3 &corner : {Vec3(box.min), Vec3(box.max)})
-        for (const double way : {-beside, beside})
-            box.extend(Vec3(corner + Vec3::Constant(way)));
-    return box;
+    std::vector<Vec3> points;
+    for (const Vec3 &end : {Vec3(box.min), Vec3(box.max)})
+        for (const Vec3 &way : {Vec3::UnitX().eval(), Vec3::UnitY().eval(), Vec3::UnitZ().eval()})
+            for (const double side : {-beside, beside})
+                points.push_back(end + side * way);
+    return points;
 }
 
-/// Of what is selected and there. Empty when nothing is.
-Box3 selectionBounds(const Session &session, const Interaction &interaction)
+/// Of what is selected and there. None when nothing is.
+std::vector<Vec3> selectedPoints(const Session &session, const Interaction &interaction)
 {
-    Box3 box;
     const Model &model = session.committed();
     if (interaction.selectedJoint())
-        return jointBounds(model, *interaction.selectedJoint());
-    for (const SectionRef &ref : interaction.sectionsInFocus()) {
-        const Section &section = *model.find(ref);
-        box.extend(slabBounds(section, model.document.stockOf(section)));
-    }
-    return box;
+        return pointsRound(model, *interaction.selectedJoint());
+    return outlinePoints(model, interaction.sectionsInFocus());
 }
 
 /// The corner after the one that is looked from, else the first.
@@ -260,24 +258,22 @@ void registerCamera(CommandRegistry &registry, Interaction &interaction)
 
 void registerFits(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto fitTo = [&interaction](const Box3 &box, double time) {
-        interaction.turnTo(fitted(interaction.targetCamera(), box, interaction.viewport()), time,
-                           kFitTime);
-    };
     registry.add("view.fitAll",
-                 {[&session, fitTo](const CommandParameters &, double time) -> Result<void> {
-                     fitTo(session.committed().bounds(), time);
+                 {[&interaction](const CommandParameters &, double time) -> Result<void> {
+                     interaction.fitAll(interaction.targetCamera(), time, kFitTime);
                      return {};
                  }});
-    registry.add(
-        "view.fitSelection",
-        {[&session, &interaction, fitTo](const CommandParameters &, double time) -> Result<void> {
-             fitTo(selectionBounds(session, interaction), time);
-             return {};
-         },
-         needs(
-             [&session, &interaction] { return !selectionBounds(session, interaction).isEmpty(); },
-             kNothingSelected)});
+    const auto hasSelection = [&session, &interaction] {
+        return interaction.selectedJoint()
+                   ? jointState(session.committed(), *interaction.selectedJoint()).has_value()
+                   : !interaction.sectionsInFocus().empty();
+    };
+    registry.add("view.fitSelection",
+                 {[&session, &interaction](const CommandParameters &, double time) -> Result<void> {
+                      interaction.fit(selectedPoints(session, interaction), time, kFitTime);
+                      return {};
+                  },
+                  needs(hasSelection, kNothingSelected)});
 }
 
 } // namespace
@@ -294,7 +290,9 @@ void registerViewCommands(CommandRegistry &registry, Session &session, Interacti
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,
                 const Interaction &interaction)
 {
-    Box3 box = selectionBounds(session, interaction);
+    Box3 box;
+    for (const Vec3 &point : selectedPoints(session, interaction))
+        box.extend(point);
     if (box.isEmpty())
         box = session.committed().bounds();
     const Vec3 pivot = box.isEmpty() ? Vec3(0.0, kFirstPlaneHeight, 0.0) : box.center();

@@ -1,6 +1,7 @@
 #include "tests/bench/gizmo_event.h"
 
 #include "core/interaction/transform_tool.h"
+#include "core/interaction/view_fit.h"
 #include "core/session/session_host.h"
 #include "tests/bench/stopwatch.h"
 

@@ -363,9 +363,11 @@ void TestDocks::aRowUnderTheCursorLightsItsMark()
     QEnterEvent enter({5, 5}, {5, 5}, {5, 5});
     QCoreApplication::sendEvent(row, &enter);
     QCOMPARE(m_window->bench().litProblem(), 1);
+    QVERIFY(!m_window->bench().interaction().view().faulty.empty()); // and whom it is about
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(row, &leave);
     QCOMPARE(m_window->bench().litProblem(), 0);
+    QVERIFY(m_window->bench().interaction().view().faulty.empty());
 }
 
 // Wrong: the view says nothing about the step, or keeps on saying it.
@@ -442,7 +444,7 @@ void TestDocks::whoBlocksWhomIsShown()
     QTRY_VERIFY(find<CheckRow>("checkRow0") &&
                 firstCheck().contains(QStringLiteral("block each other")));
     QVERIFY(bench.problemLook().links.empty());
-    QCOMPARE(bench.interaction().view().faulty.size(), std::size_t(3));
+    QVERIFY(bench.interaction().view().faulty.empty()); // dots say enough of what nobody looks at
     QTest::mouseClick(find<CheckRow>("checkRow0"), Qt::LeftButton);
     QCOMPARE(bench.problemLook().links.size(), std::size_t(3));
     QCOMPARE(bench.interaction().view().problems.size(), std::size_t(3));
@@ -465,6 +467,13 @@ void TestDocks::howItFallsIsShown()
     QVERIFY(mark.isProblem && mark.margin < 0.0);
     QVERIFY(std::abs(mark.edge.x() - 10.0) < 0.2); // of its foot, and what is as good as on it
     QVERIFY(std::abs(mark.centreOfMass.x() - mark.edge.x() + mark.margin) < 1e-6);
+    QTRY_VERIFY(find<CheckRow>("checkRow0") && firstCheck().contains(QStringLiteral("Falls over")));
+    QVERIFY(bench.interaction().view().faulty.empty());
+    QTest::mouseClick(find<CheckRow>("checkRow0"), Qt::LeftButton);
+    QVERIFY(bench.interaction().view().problems.empty()); // the section is as it should be
+    QCOMPARE(bench.interaction().view().faulty.size(), std::size_t(1)); // but stands on too little
+    bench.select({session().model().ref(0)});
+    QVERIFY(bench.interaction().view().faulty.empty());
     find<QDockWidget>("checksDock")->toggleViewAction()->trigger();
     QVERIFY(bench.problemLook().isEmpty());
     find<QDockWidget>("checksDock")->toggleViewAction()->trigger();

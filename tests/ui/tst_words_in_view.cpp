@@ -1,8 +1,10 @@
 // All words and marks that lie over the view at once, on models that are full of problems.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/strength.h"
 #include "core/interaction/gizmo.h"
 #include "core/interaction/view_cube.h"
+#include "core/interaction/view_fit.h"
 #include "core/io/document_file.h"
 #include "core/operations/operation_kind.h"
 #include "core/session/check_list.h"
@@ -11,6 +13,8 @@
 #include "core/session/session_host.h"
 #include "tests/test_program.h"
 #include "ui/docks/check_entries.h"
+#include "ui/docks/shown_problems.h"
+#include "ui/view/legend.h"
 #include "ui/view/measure_marks.h"
 #include "ui/view/overlay_painter.h"
 
@@ -20,6 +24,7 @@
 #include <QPainter>
 
 #include <memory>
+#include <string_view>
 
 using namespace fff;
 using namespace fff::test;
@@ -27,7 +32,8 @@ using namespace fff::ui;
 
 namespace {
 
-const Vec2 kView(860.0, 760.0);
+/// What a window of 1440 × 900 leaves between its docks, and one of 1024 × 640 beside them.
+const Vec2 kViews[] = {Vec2(860.0, 760.0), Vec2(713.0, 496.0)};
 
 /// Whether a line passes through a box, by its pieces: no code of the product.
 bool crosses(const QRectF &box, const Vec2 &from, const Vec2 &to)
@@ -69,8 +75,21 @@ private:
         Interaction interaction{host};
         CommandRegistry commands;
         CheckList list{session};
+        std::vector<CheckEntry> entries;
+        std::optional<StressMarks> stress;
     };
-    void lookFrom(const char *from, Desk &desk);
+    /// What there is over the view besides the marks of problems.
+    struct Case
+    {
+        Vec2 view;
+        Camera camera;
+        bool hasGizmo = false;  // a section is moved: then no problem is marked
+        int hovered = -1;       // which of the marks the cursor is on
+        bool hasStress = false; // with its legend, forces and a card
+    };
+    void look(const Case &at, Desk &desk);
+
+    int m_numbers = 0, m_dots = 0, m_words = 0; // of the last look
 };
 
 void TestWordsInView::nothingLiesOnAnything_data()
@@ -80,6 +99,9 @@ void TestWordsInView::nothingLiesOnAnything_data()
     const QString samples = QStringLiteral(FFF_SAMPLES), shared = QStringLiteral(FFF_SHARED_MODELS);
     QTest::newRow("bridge") << shared + QStringLiteral("/bridge.txt") << false;
     QTest::newRow("octopus") << shared + QStringLiteral("/octopus.txt") << false;
+    for (const char *name : {"fish", "chair", "glass_holder"})
+        QTest::newRow(name) << samples + u'/' + QLatin1String(name) + QStringLiteral(".fff")
+                            << false;
     QTest::newRow("dinosaur") << samples + QStringLiteral("/dinosaur.fff") << false;
     QTest::newRow("mirrored dinosaur") << samples + QStringLiteral("/dinosaur.fff") << true;
 }
@@ -93,7 +115,6 @@ void TestWordsInView::nothingLiesOnAnything()
         FFF_WITHOUT_SHARED();
     Desk desk;
     desk.host.attach(desk.interaction);
-    desk.interaction.setViewport(kView);
     registerSessionCommands(desk.commands, desk.session, desk.interaction);
     const auto read = io::readDocument(file);
     QVERIFY(read);
@@ -119,76 +140,124 @@ void TestWordsInView::nothingLiesOnAnything()
                desk.list.model().document.isSame(now) && desk.list.age() == CheckList::Age::Current;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isChecked(), kLongest);
-    for (const char *from : {"iso1", "front", "top"})
-        lookFrom(from, desk);
+    desk.entries = checkEntries(desk.list, {});
+    StrengthCaches caches;
+    const AnalysisPointer analysis = desk.session.analysisPointer();
+    desk.stress = stressMarksOf(analysis, strengthOf(*analysis, StrengthRules(), caches), 0.01);
+    desk.stress->safety = 2.0;
+    if (!desk.stress->lines.empty()) {
+        desk.stress->lit = static_cast<int>(desk.stress->lines.size()) - 1;
+        desk.stress->hasCard = true;
+    }
+    const Model &model = desk.session.model();
+    if (const auto &joints = analysis->assembly.joints; !joints.empty()) {
+        const auto refOf = [&](int section) {
+            return model.ref(static_cast<std::size_t>(section));
+        };
+        desk.interaction.selectJoint(JointRef(refOf(joints[0].a), refOf(joints[0].b)));
+    }
+    for (const Vec2 &view : kViews)
+        for (const char *from : {"iso1", "front", "top", "iso3"})
+            for (const double zoom : {1.0, 3.0, 0.25}) {
+                desk.interaction.setViewport(view);
+                Camera camera;
+                QVERIFY(orientationOfView(from, camera.orientation));
+                desk.interaction.fitAll(camera, 0.0, 0.0);
+                camera = zoomed(desk.interaction.camera(), zoom, 0.5 * view, view);
+                for (const bool hasGizmo : {false, true})
+                    look({view, camera, hasGizmo}, desk);
+                look({view, camera, false, -1, true}, desk);
+                for (int mark = 0; mark < 12; mark += 3)
+                    look({view, camera, false, mark}, desk);
+                look({view, camera}, desk);
+                if (QTest::currentTestFailed())
+                    return;
+                if (zoom == 1.0 && std::string_view(from) == "iso1")
+                    qInfo("%.0f x %.0f: %d rows, %d numbers, %d dots, %d words", view.x(), view.y(),
+                          static_cast<int>(desk.entries.size()), m_numbers, m_dots, m_words);
+            }
 }
 
-void TestWordsInView::lookFrom(const char *from, Desk &desk)
+void TestWordsInView::look(const Case &at, Desk &desk)
 {
     const Model &model = desk.session.model();
-    Camera camera;
-    QVERIFY(orientationOfView(from, camera.orientation));
-    camera = fitted(camera, model.bounds(), kView);
-    desk.interaction.setCamera(camera);
-
-    const std::vector<CheckEntry> entries = checkEntries(desk.list, {});
+    const Vec2 &size = at.view;
+    desk.interaction.setCamera(at.camera);
     std::optional<Finding> chosen;
-    if (!entries.empty() && entries.front().number > 0)
-        chosen = entries.front().finding();
-    OverlayScene scene{desk.interaction.overlay(), desk.interaction.hovered(), camera, kView};
-    scene.problemMarks = marksOf(entries, desk.list.model(), chosen);
-    scene.marks = placeMarks(scene.problemMarks, camera, kView, {});
-    for (const CheckEntry &entry : entries)
-        if (entry.finding().kind->look)
-            scene.problems = entry.finding().kind->look(entry.finding());
+    if (!desk.entries.empty() && desk.entries.front().number > 0)
+        chosen = desk.entries.front().finding();
+    // Verdicts, chips of the view and the bar of a tool.
+    std::vector<QRectF> covers{{10.0, 10.0, 420.0, 27.0}, {10.0, 44.0, 150.0, 24.0}};
+    if (at.hasGizmo)
+        covers.emplace_back(0.5 * size.x() - 200.0, size.y() - 54.0, 400.0, 40.0);
+    if (at.hasStress)
+        covers.push_back(legendRoom(size));
+    std::vector<Box2> covered;
+    for (const QRectF &box : covers)
+        covered.push_back({{box.left(), box.top()}, {box.right(), box.bottom()}});
+    Hovered hovered = desk.interaction.hovered();
+    OverlayScene scene{desk.interaction.overlay(), hovered, at.camera, size};
+    const std::vector<ProblemMark> marks = marksOf(desk.entries, desk.list.model(), chosen);
+    const ShownProblems shown = shownProblems(desk.entries, desk.list.model(), chosen, nullptr);
+    scene.problems = shown.look;
+    if (!at.hasGizmo) {
+        scene.problemMarks = marks;
+        scene.marks = placeMarks(marks, at.camera, size, {}, covered);
+    }
+    const auto over = static_cast<std::size_t>(std::max(at.hovered, 0));
+    if (at.hovered >= 0 && over < scene.marks.size()) {
+        const ProblemMark &mark = marks[scene.marks[over].marks.front()];
+        hovered.problem = mark.number;
+        hovered.problemPlace = mark.place;
+    }
     scene.dimensions = loadSigns(model, {}, {}, {});
-    Overlay overlay;
-    const Gizmo gizmo = gizmoOf(model, {model.ref(0)}, false, camera.orientation);
-    overlay.held.add(GizmoMarks{gizmo, GizmoPart::MoveX, GizmoMarks::Value{12.3}});
-    scene.selected = overlay.held;
-    const QRectF bar(10.0, 10.0, 420.0, 27.0);
-    scene.covered = {bar};
+    scene.selected = desk.interaction.overlay().selected;
+    const Gizmo gizmo = gizmoOf(model, {model.ref(0)}, false, at.camera.orientation);
+    if (at.hasGizmo)
+        scene.selected.add(GizmoMarks{gizmo, GizmoPart::MoveX, GizmoMarks::Value{12.3}});
+    if (at.hasStress)
+        scene.stress = &*desk.stress;
+    scene.covered = covers;
     std::vector<QRectF> words;
     scene.words = &words;
-    QImage image(static_cast<int>(kView.x()), static_cast<int>(kView.y()),
+    QImage image(static_cast<int>(size.x()), static_cast<int>(size.y()),
                  QImage::Format_ARGB32_Premultiplied);
     QPainter painter(&image);
     paintOverlay(painter, scene, ViewStyle(), QLocale::c());
     painter.end();
 
-    QVERIFY(!words.empty());
-    const QRectF view(0.0, 0.0, kView.x(), kView.y());
-    const Vec2 cube = *cubeCentre(kView);
-    const QRectF room(cube.x() - 0.5 * kCubeRoom, cube.y() - 0.5 * kCubeRoom, kCubeRoom, kCubeRoom);
-    const GizmoLook look(gizmo, camera, kView);
+    const QRectF view(0.0, 0.0, size.x(), size.y());
+    const Vec2 cube = *cubeCentre(size);
+    covers.emplace_back(cube.x() - 0.5 * kCubeRoom, cube.y() - 0.5 * kCubeRoom, kCubeRoom,
+                        kCubeRoom);
+    const GizmoLook look(gizmo, at.camera, size);
     for (std::size_t i = 0; i < words.size(); ++i) {
         const QRectF &box = words[i];
         QVERIFY(view.contains(box));
-        QVERIFY(!box.intersects(room));
-        QVERIFY(!box.intersects(bar));
+        for (const QRectF &cover : covers)
+            QVERIFY(!box.intersects(cover));
         for (std::size_t k = 0; k < i; ++k)
             QVERIFY(!box.intersects(words[k]));
         for (const PlacedMark &mark : scene.marks)
             QVERIFY(!box.intersects(boxOf(mark)));
         const GizmoPart arrows[] = {GizmoPart::MoveX, GizmoPart::MoveY, GizmoPart::MoveZ};
         for (int axis : {0, 1, 2})
-            if (look.isSeen(arrows[axis]))
+            if (at.hasGizmo && look.isSeen(arrows[axis]))
                 QVERIFY(!crosses(box, look.centre(), look.tip(axis)));
     }
-    std::size_t numbers = 0;
+    m_numbers = m_dots = 0;
     for (std::size_t i = 0; i < scene.marks.size(); ++i) {
         const PlacedMark &mark = scene.marks[i];
-        numbers += !mark.isDot;
-        QVERIFY(!boxOf(mark).intersects(room));
+        ++(mark.isDot ? m_dots : m_numbers);
+        QVERIFY(mark.isDot || view.contains(boxOf(mark)));
+        for (const QRectF &cover : covers)
+            QVERIFY(!boxOf(mark).intersects(cover));
         for (std::size_t k = 0; k < i; ++k)
             QVERIFY((mark.centre - scene.marks[k].centre).norm() >=
                     radiusOf(mark) + radiusOf(scene.marks[k]));
     }
-    QVERIFY(numbers <= kMostNumbers);
-    qInfo("%s: %d rows, %d places, %d numbers, %d dots, %d words", from,
-          static_cast<int>(entries.size()), static_cast<int>(scene.problemMarks.size()),
-          static_cast<int>(numbers), static_cast<int>(scene.marks.size() - numbers),
-          static_cast<int>(words.size()));
+    QVERIFY(m_numbers <= static_cast<int>(kMostNumbers));
+    m_words = static_cast<int>(words.size());
 }
 
 FFF_TEST_WITH(TestWordsInView, fff::testing::runWithin<TestWordsInView, QApplication>)

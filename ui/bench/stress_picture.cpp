@@ -15,7 +15,8 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kCardDelay = 400; // ms that the cursor rests before a card comes
+constexpr int kCardDelay = 400;  // ms that the cursor rests before a card comes
+constexpr double kTenths = 10.0; // that the settings have factors in
 
 } // namespace
 
@@ -55,6 +56,7 @@ const StressMarks *StressPicture::marks()
         m_held = held;
         m_isKept = false;
         m_marks = stressMarksOf(held->analysis, held->strength, 0.01 * settings().stressShown());
+        m_marks.safety = settings().safetyFactor() / kTenths;
         m_marks.bent = bentNow(scheduler);
         m_feet = footForces(held->strength);
     }

@@ -9,9 +9,11 @@
 #include "ui/bench/marked_scene.h"
 #include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
+#include "ui/view/legend.h"
 #include "ui/view/measure_marks.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/steps_scene.h"
+#include "ui/view/thing.h"
 
 #include <QContextMenuEvent>
 #include <QFocusEvent>
@@ -108,7 +110,10 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
             m_triedBuilder.setAnalysis(m_bench.tried());
         rebuildScene();
     });
-    connect(&m_strained, &StrainedView::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_strained, &StrainedView::changed, this, [this] {
+        lookForCovers();
+        update();
+    });
     connect(&m_strained, &StrainedView::moved, this, [this] {
         m_isPictureChanged = true;
         update();
@@ -201,8 +206,8 @@ void Viewport::paintMarks()
     const bool isMoved = scene.timesMoved > 0.0;
     if (!isBusy && !isMoved) {
         scene.problemMarks = interaction.marks();
-        scene.marks =
-            placeMarks(scene.problemMarks, interaction.camera(), scene.viewport, scene.view);
+        scene.marks = placeMarks(scene.problemMarks, interaction.camera(), scene.viewport,
+                                 scene.view, interaction.covered());
     }
     scene.litMark = litMark(m_bench);
     m_offer = {};
@@ -230,10 +235,7 @@ void Viewport::paintMarks()
         if (isBusy)
             dropWordsOfOthers(scene.dimensions);
     }
-    // What stands over the view hides what lies under it.
-    for (const QWidget *above : findChildren<QWidget *>(Qt::FindDirectChildrenOnly))
-        if (above->isVisible())
-            scene.covered.push_back(above->geometry());
+    scene.covered = m_covered;
     if (!m_steps) {
         scene.stress = m_strained.stress();
         scene.bearing = m_strained.bearing();
@@ -251,6 +253,40 @@ void Viewport::paintMarks()
         painter.setPen(pen);
         painter.drawRect(inside);
     }
+}
+
+/// Badges, chips and bars are widgets of their own over the view.
+void Viewport::lookForCovers()
+{
+    std::vector<QRectF> covered;
+    for (const QWidget *above : findChildren<QWidget *>(Qt::FindDirectChildrenOnly))
+        if (!above->isHidden() && !above->geometry().isEmpty())
+            covered.emplace_back(above->geometry());
+    const StressMarks *stress = m_steps ? nullptr : m_strained.stress();
+    const BearingMarks *bearing = m_steps ? nullptr : m_strained.bearing();
+    if ((stress && worstShown(*stress) > 0.0) || (bearing && bearing->map))
+        covered.push_back(legendRoom(Vec2(width(), height())));
+    if (std::exchange(m_covered, covered) == covered)
+        return;
+    std::vector<Box2> boxes;
+    for (const QRectF &box : covered)
+        boxes.push_back({{box.left(), box.top()}, {box.right(), box.bottom()}});
+    m_bench.setCovered(std::move(boxes));
+}
+
+bool Viewport::eventFilter(QObject *object, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::Move:
+    case QEvent::Resize:
+        lookForCovers();
+        break;
+    default:
+        break;
+    }
+    return QOpenGLWidget::eventFilter(object, event);
 }
 
 void Viewport::showSteps(std::shared_ptr<const StepsPicture> picture)
@@ -386,7 +422,12 @@ bool Viewport::event(QEvent *event)
         m_touch.handle(static_cast<QTouchEvent *>(event));
         return true;
     }
-    if (event->type() == QEvent::Leave) {
+    if (event->type() == QEvent::ChildAdded) {
+        if (QObject *child = static_cast<QChildEvent *>(event)->child(); child->isWidgetType())
+            child->installEventFilter(this);
+    } else if (event->type() == QEvent::ChildRemoved) {
+        lookForCovers();
+    } else if (event->type() == QEvent::Leave) {
         m_input.leave();
         m_strained.leave();
     } else if (event->type() == QEvent::WindowBlocked)
@@ -413,6 +454,7 @@ void Viewport::advance()
 /// Something that is seen may have changed: paints only if it has.
 void Viewport::refresh()
 {
+    lookForCovers();
     const Interaction &interaction = m_bench.interaction();
     if (interaction.isAnimating() && !m_frames.isActive())
         m_frames.start();
@@ -440,6 +482,7 @@ void Viewport::rebuildScene()
 {
     const SceneBuilder &builder = m_bench.tried() ? m_triedBuilder : m_builder;
     m_scene = builder.build(m_bench.shownModel());
+    m_bench.setSeenBesides(cornersOf(m_scene.things));
     markScene(m_scene, m_bench);
     m_isPictureChanged = true;
     update();

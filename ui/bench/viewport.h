@@ -62,6 +62,7 @@ protected:
     void keyReleaseEvent(QKeyEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     bool event(QEvent *event) override;
+    bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
     void showFocus(bool shows);
@@ -71,6 +72,7 @@ private:
     void watchAnalysis();
     bool isOnOffer(const QPointF &place) const;
     void paintMarks();
+    void lookForCovers();
 
     /// ms; by it frames are timed, and drawn the simpler the longer they take.
     double frameTime() const { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; }
@@ -96,6 +98,7 @@ private:
     FramePace m_pace;
     QElapsedTimer m_sinceStart;
     bool m_isPictureChanged = false;
+    std::vector<QRectF> m_covered; // by what stands over the view, px
     QImage m_marks;                // what is painted over the picture
     QRectF m_offer;                // where the words of an offer are, px; empty: there is none
     bool m_isOnOffer = false;      // the cursor is

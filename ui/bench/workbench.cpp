@@ -61,14 +61,18 @@ void Workbench::setViewport(const Vec2 &size)
     m_interaction->setViewport(size);
     if (!m_viewToShow.empty())
         showAll(std::exchange(m_viewToShow, {}));
-    else if (m_shown && m_shown->camera == m_interaction->camera() &&
-             m_shown->document.isSame(m_session.model().document) && !m_interaction->tool()) {
-        // Nobody has looked closer, or drawn anything.
-        m_shown->camera =
-            fitted(m_shown->camera, m_session.model().bounds(), m_interaction->viewport());
-        m_interaction->replaceCamera(m_shown->camera);
-    }
     announceChanges();
+}
+
+void Workbench::setCovered(std::vector<Box2> covered)
+{
+    m_interaction->setCovered(std::move(covered));
+    announceChanges();
+}
+
+void Workbench::setSeenBesides(std::vector<Vec3> points)
+{
+    m_interaction->setSeenBesides(std::move(points));
 }
 
 void Workbench::handle(const PointerEvent &event)
@@ -131,8 +135,7 @@ void Workbench::showAll(std::string_view view)
     Camera camera;
     camera.projection = m_interaction->camera().projection;
     orientationOfView(view, camera.orientation);
-    setCamera(fitted(camera, m_session.model().bounds(), size));
-    m_shown = Shown{m_interaction->camera(), m_session.model().document};
+    m_interaction->fitAll(camera, m_clock.now(), 0.0);
     // What belonged to another document.
     m_interaction->forgetViews();
     ViewState state = m_interaction->view();
@@ -219,24 +222,18 @@ void Workbench::setHidden(const std::vector<SectionRef> &sections, bool hidden)
     announceChanges();
 }
 
-void Workbench::setProblemSections(const std::vector<SectionRef> &sections)
-{
-    ViewState view = m_interaction->view();
-    view.problems = {sections.begin(), sections.end()};
-    m_interaction->setView(std::move(view));
-    announceChanges();
-}
-
 void Workbench::setProblemMarks(std::vector<ProblemMark> marks)
 {
     m_marks = std::move(marks);
     showMarks();
 }
 
-void Workbench::setProblemLook(ProblemLook look, const std::vector<SectionRef> &faulty)
+void Workbench::setProblemLook(ProblemLook look, const std::vector<SectionRef> &hatched,
+                               const std::vector<SectionRef> &outlined)
 {
     ViewState view = m_interaction->view();
-    view.faulty = {faulty.begin(), faulty.end()};
+    view.problems = {hatched.begin(), hatched.end()};
+    view.faulty = {outlined.begin(), outlined.end()};
     if (look == m_look && view == m_interaction->view())
         return;
     m_look = std::move(look);
@@ -386,10 +383,10 @@ void Workbench::announceChanges()
         m_couldGoBack = canGoBack;
         Q_EMIT viewStateChanged();
     }
-    if (m_hoveredProblem != m_interaction->hovered().problem) {
-        m_hoveredProblem = m_interaction->hovered().problem;
-        Q_EMIT problemHovered(m_hoveredProblem);
-    }
+    const Hovered &over = m_interaction->hovered();
+    const std::pair hoveredProblem(over.problem, over.problemPlace);
+    if (std::exchange(m_hoveredProblem, hoveredProblem) != hoveredProblem)
+        Q_EMIT problemHovered(over.problem);
     Q_EMIT viewChanged();
 }
 

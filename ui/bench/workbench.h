@@ -34,6 +34,9 @@ public:
     const Interaction &interaction() const { return *m_interaction; }
 
     void setViewport(const Vec2 &size);
+    /// What stands over the view, and what it shows besides sections (Interaction).
+    void setCovered(std::vector<Box2> covered);
+    void setSeenBesides(std::vector<Vec3> points);
     void handle(const PointerEvent &event);
     bool escape();
     /// Of the tool in the hand.
@@ -64,12 +67,11 @@ public:
     /// A hidden section is neither drawn nor picked.
     void setHidden(const SectionRef &ref, bool hidden) { setHidden(std::vector{ref}, hidden); }
     void setHidden(const std::vector<SectionRef> &sections, bool hidden);
-    /// Those that are part of the problem looked at: red and hatched.
-    void setProblemSections(const std::vector<SectionRef> &sections);
     /// Numbers beside problems. A click on one is announced by problemChosen.
     void setProblemMarks(std::vector<ProblemMark> marks);
-    /// What else is drawn of problems; and the sections of those that are not looked at.
-    void setProblemLook(ProblemLook look, const std::vector<SectionRef> &faulty);
+    /// What else is drawn of problems; and the sections that are red and hatched, or outlined.
+    void setProblemLook(ProblemLook look, const std::vector<SectionRef> &hatched,
+                        const std::vector<SectionRef> &outlined);
     /// Empty while something else than the model is shown.
     const ProblemLook &problemLook() const { return m_areMarksAside ? m_noLook : m_look; }
     /// Put aside for as long as something else than the model is shown.
@@ -135,6 +137,7 @@ Q_SIGNALS:
     void problemChosen(int number, int place);
     /// The handle of this parameter was clicked.
     void parameterChosen(fff::OperationId operation, const QString &key);
+    /// Or another place of it.
     void problemHovered(int number);
     /// Its line is to be ringed, and its card opened; null: nothing is asked any more.
     void weakPlaceAsked(const fff::WeakPlace *place, bool opensCard);
@@ -164,7 +167,8 @@ private:
     ProblemLook m_look;
     const ProblemLook m_noLook;
     bool m_areMarksAside = false;
-    int m_litProblem = 0, m_hoveredProblem = 0;
+    int m_litProblem = 0;
+    std::pair<int, int> m_hoveredProblem{0, 0}; // and which of its places
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
     std::string m_toolCommand;               // of the tool in the hand
@@ -176,13 +180,6 @@ private:
     EventClock m_clock;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size
-    /// By showAll(): all of it stays in sight until somebody goes on from there.
-    struct Shown
-    {
-        Camera camera;
-        Document document;
-    };
-    std::optional<Shown> m_shown;
 };
 
 } // namespace fff::ui

@@ -5,7 +5,6 @@
 #include "core/analysis/findings/order.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/strengthening.h"
-#include "core/analysis/outlined_sections.h"
 #include "core/assembly/joint_state.h"
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
@@ -16,6 +15,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/docks/check_row.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/shown_problems.h"
 #include "ui/settings/settings.h"
 
 #include <QAction>
@@ -145,6 +145,7 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
         const int row = rowOf(number);
         for (std::size_t i = 0; i < m_widgets.size(); ++i)
             m_widgets[i]->setLit(static_cast<int>(i) == row);
+        showLook();
     });
     connect(&bench.session(), &Session::committedChanged, this, [this] { m_wish.reset(); });
     // Without the dock there are no rows that the numbers could be of.
@@ -198,6 +199,7 @@ void ChecksDock::refresh()
         connect(row, &CheckRow::hovered, this, [this, index](bool isOver) {
             const bool isThere = isOver && index < static_cast<int>(m_rows.size());
             m_bench.setLitProblem(isThere ? entryAt(index).number : 0);
+            showLook();
         });
         connect(row, &CheckRow::linkClicked, this, [this, index](int link, bool isByKey) {
             // Who works with keys goes on with the next check.
@@ -240,32 +242,26 @@ void ChecksDock::markProblems()
     showLook();
 }
 
-/// Who blocks whom is shown of the problem that is looked at: of all it would be a web of lines.
-/// Whether it stands concerns the whole model, so that is seen as long as it is a problem.
 void ChecksDock::showLook()
 {
-    ProblemLook look;
-    std::vector<SectionRef> faulty;
-    const Model &model = m_list.model();
-    for (const CheckEntry &entry : m_rows) {
-        if (!toggleViewAction()->isChecked())
-            break;
-        const int chosen = m_chosen ? entry.placeOf(*m_chosen) : -1;
-        for (int place = 0; place < entry.count(); ++place) {
-            const Finding &finding = entry.row.all[static_cast<std::size_t>(place)];
-            const bool isChosen = place == chosen;
-            ProblemLook own = finding.kind->look ? finding.kind->look(finding) : ProblemLook();
-            if (isProblem(finding) || isChosen)
-                std::move(own.grounds.begin(), own.grounds.end(), std::back_inserter(look.grounds));
-            std::move(own.feet.begin(), own.feet.end(), std::back_inserter(look.feet));
-            const std::vector<SectionRef> outlined = outlinedSections(finding, model);
-            if (isChosen)
-                std::move(own.links.begin(), own.links.end(), std::back_inserter(look.links));
-            else if (finding.severity == Severity::Error)
-                faulty.insert(faulty.end(), outlined.begin(), outlined.end());
-        }
-    }
-    m_bench.setProblemLook(std::move(look), faulty);
+    ShownProblems shown; // without the dock there are no rows that they could be of
+    if (toggleViewAction()->isChecked())
+        shown = shownProblems(m_rows, m_list.model(), m_chosen, litFinding());
+    m_bench.setProblemLook(std::move(shown.look), shown.hatched, shown.outlined);
+}
+
+/// That the cursor is on, in its row or at its mark; null: on none.
+const Finding *ChecksDock::litFinding() const
+{
+    const Hovered &hovered = m_bench.interaction().hovered();
+    const bool isMark = hovered.problem > 0;
+    const int row = rowOf(isMark ? hovered.problem : m_bench.litProblem());
+    if (row < 0)
+        return nullptr;
+    const CheckEntry &entry = m_rows[static_cast<std::size_t>(row)];
+    return isMark && hovered.problemPlace >= 0 && hovered.problemPlace < entry.count()
+               ? &entry.row.all[static_cast<std::size_t>(hovered.problemPlace)]
+               : &entry.finding();
 }
 
 int ChecksDock::rowOf(int number) const
@@ -343,8 +339,6 @@ void ChecksDock::choose(int row, bool frames)
         m_bench.selectJoint(*finding.joint);
     else
         m_bench.select(finding.sections);
-    m_bench.setProblemSections(isProblem(finding) ? outlinedSections(finding, m_list.model())
-                                                  : std::vector<SectionRef>());
     if (entryAt(row).count() > 1)
         refresh(); // it says which of its places this is
     else
@@ -362,7 +356,6 @@ void ChecksDock::forgetChoice()
     m_chosen.reset();
     for (CheckRow *row : m_widgets)
         row->setChecked(false);
-    m_bench.setProblemSections({});
     markProblems();
 }
 

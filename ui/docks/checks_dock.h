@@ -63,6 +63,7 @@ private:
     void forgetChoice();
     void markProblems();
     void showLook();
+    const Finding *litFinding() const;
     int rowOf(int number) const; // of a problem; -1: there is none any more
     /// The link at the index was clicked.
     bool act(int row, int index);

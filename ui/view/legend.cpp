@@ -25,6 +25,13 @@ QPointF underCube(const Vec2 &viewport)
     return {viewport.x() - kBeside, (cube ? cube->y() + 0.5 * kCubeRoom : 0.0) + kBelowCube};
 }
 
+QRectF legendRoom(const Vec2 &viewport)
+{
+    const QPointF corner = underCube(viewport);
+    return {corner.x() - kLegendWidth, corner.y(), kLegendWidth,
+            kTitleRow + kHeadRow + kBarHeight + kMarginInside + kNoteRow};
+}
+
 double paintLegend(MarkPen &pen, const Legend &legend)
 {
     QPainter &painter = pen.painter();

@@ -10,6 +10,9 @@ namespace fff::ui {
 /// px: the right end and the top of what stands under the cube.
 QPointF underCube(const Vec2 &viewport);
 
+/// px: where a legend stands, with all that it may have.
+QRectF legendRoom(const Vec2 &viewport);
+
 struct Legend
 {
     QString title;

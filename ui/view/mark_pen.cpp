@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kChipHeight = 22.0, kChipPadding = 16.0; // px
 constexpr double kWordsHeight = 16.0;                     // px, of bare ones
+constexpr double kManyLines = 1e4;                        // px, more than words take
 constexpr double kLeader = 1.4;                           // px
 /// What steps aside by no more is still beside what it names, px.
 constexpr double kStepAside = 12.0;
@@ -97,23 +98,35 @@ QFont MarkPen::fontOf(const Chip &chip) const
     return font;
 }
 
+Vec2 MarkPen::sizeOf(const Chip &chip) const
+{
+    const QFontMetricsF metrics(fontOf(chip));
+    const double padding = chip.isFramed ? kChipPadding : 2.0;
+    const double most = m_viewport.x() - 2.0 * LabelRoom::kEdge - padding;
+    const double inOneLine = metrics.horizontalAdvance(chip.text);
+    const double height = chip.isFramed ? kChipHeight : kWordsHeight;
+    if (chip.longest <= 0.0 || inOneLine <= std::min(chip.longest, most))
+        return {std::min(inOneLine, most) + padding, height};
+    const QRectF room(0.0, 0.0, std::min(chip.longest, most), kManyLines);
+    const QRectF words = metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, chip.text);
+    return {std::min(std::ceil(words.width()), room.width()) + padding,
+            height + std::ceil(words.height() - metrics.lineSpacing())};
+}
+
 std::vector<QRectF> MarkPen::paintChips()
 {
     std::stable_sort(m_chips.begin(), m_chips.end(),
                      [](const Chip &a, const Chip &b) { return a.rank < b.rank; });
     std::vector<std::pair<const Chip *, QRectF>> placed;
     for (const Chip &chip : m_chips) {
-        const QFontMetricsF metrics(fontOf(chip));
-        const double most = m_viewport.x() - 2.0 * LabelRoom::kEdge;
-        const double width = std::min(
-            metrics.horizontalAdvance(chip.text) + (chip.isFramed ? kChipPadding : 2.0), most);
-        const Vec2 size(width, chip.isFramed ? kChipHeight : kWordsHeight);
+        const Vec2 size = sizeOf(chip);
         const double before = chip.anchor == Anchor::Left    ? -0.5
                               : chip.anchor == Anchor::Right ? 0.5
                                                              : 0.0;
         const Vec2 wanted(chip.place.x() - before * size.x(), chip.place.y());
-        const std::optional<Box2> box = m_room.placeFor(wanted, size);
-        if (!box || (chip.rank != Rank::InHand && (box->center() - wanted).norm() > kFarthest)) {
+        const std::optional<Box2> box = m_room.placeFor(
+            wanted, size, chip.rank == Rank::InHand ? LabelRoom::kAnywhere : kFarthest);
+        if (!box) {
             if (chip.told)
                 *chip.told = {};
             continue;
@@ -158,7 +171,9 @@ void MarkPen::paintChip(const Chip &chip, const QRectF &box)
     const QFont font = fontOf(chip);
     m_painter.setFont(font);
     const QFontMetricsF metrics(font);
-    const QString text = metrics.elidedText(chip.text, Qt::ElideRight, box.width());
+    const bool isWrapped = box.height() > kChipHeight;
+    const QString text =
+        isWrapped ? chip.text : metrics.elidedText(chip.text, Qt::ElideRight, box.width());
     if (!chip.isFramed) {
         QPainterPath words;
         words.addText(box.left() + 1.0, box.center().y() + 0.36 * metrics.ascent(), font, text);
@@ -170,7 +185,11 @@ void MarkPen::paintChip(const Chip &chip, const QRectF &box)
     m_painter.setBrush(faded(m_style.panel, 0.96));
     m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
     m_painter.setPen(chip.colour);
-    m_painter.drawText(box, Qt::AlignCenter, text);
+    if (isWrapped)
+        m_painter.drawText(box.adjusted(0.5 * kChipPadding, 0.0, -0.5 * kChipPadding + 1.0, 0.0),
+                           Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
+    else
+        m_painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace fff::ui

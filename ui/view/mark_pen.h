@@ -58,6 +58,7 @@ public:
         std::optional<QPointF> names = {}; // what it is about; none: what is at its place
         QColor frame = {};                 // invalid: as its words
         bool isFramed = true;              // else bare words on a casing
+        double longest = 0.0;              // of its lines, px; 0: it is one line
         QRectF *told = nullptr;            // where it came to be, px; empty: nowhere
     };
     /// Words in a box with a frame in their colour. They are placed and painted by paintChips(), so
@@ -76,9 +77,12 @@ public:
     void keepFree(const QRectF &box);
     /// Nor so near to that line.
     void keepFree(const QPointF &from, const QPointF &to, double halfWidth);
+    /// What is kept free so far.
+    const LabelRoom &room() const { return m_room; }
 
 private:
     QFont fontOf(const Chip &chip) const;
+    Vec2 sizeOf(const Chip &chip) const;
     void paintLeader(const Chip &chip, const QRectF &box);
     void paintChip(const Chip &chip, const QRectF &box);
 

@@ -1,5 +1,6 @@
 #include "ui/view/offscreen_image.h"
 
+#include "core/interaction/view_fit.h"
 #include "ui/view/renderer.h"
 
 #include <QOffscreenSurface>
@@ -13,7 +14,6 @@ namespace fff::ui {
 namespace {
 
 constexpr int kSamples = 4;
-constexpr double kFilled = 0.84; // of the picture's width or height by the model
 
 QSurfaceFormat pictureFormat()
 {
@@ -132,37 +132,16 @@ Camera cameraFor(const Scene &scene, const std::string &view, const Vec2 &viewpo
 
 Camera cameraFor(const Scene &scene, Camera camera, const Vec2 &viewport)
 {
-    std::vector<ThingVertex> things; // weights are seen, too
-    for (const SceneThing &thing : scene.things)
-        if (!thing.isHidden)
-            addTriangles(thing, things);
-    const auto placeOf = [](const ThingVertex &vertex) {
-        return Vec3(vertex.position[0], vertex.position[1], vertex.position[2]);
-    };
-    Box3 box = scene.bounds;
-    for (const ThingVertex &vertex : things)
-        box.extend(placeOf(vertex));
-    camera = fitted(camera, box, viewport);
-    // The box of a turned model is much larger than what is seen of it: go by what is seen. Twice,
-    // since how near a thing is may change where it is seen.
-    constexpr int kRounds = 2;
-    for (int round = 0; round < kRounds; ++round) {
-        Box2 seen;
-        for (const SceneSection &section : scene.sections) {
-            const Vec3 half = 0.5 * section.thickness * section.frame.normal();
-            for (const Vec2 &p : section.shape->region().outer)
-                for (const double side : {-1.0, 1.0})
-                    seen.extend(camera.toScreen(section.frame.toWorld(p) + side * half, viewport));
-        }
-        for (const ThingVertex &vertex : things)
-            seen.extend(camera.toScreen(placeOf(vertex), viewport));
-        if (seen.isEmpty())
-            break;
-        const double share = (seen.size().array() / viewport.array()).maxCoeff();
-        camera.target = camera.pointAt(seen.center(), viewport);
-        camera.millimetresPerPixel *= share / kFilled;
+    std::vector<Vec3> points = cornersOf(scene.things); // weights are seen, too
+    for (const SceneSection &section : scene.sections) {
+        const Vec3 half = 0.5 * section.thickness * section.frame.normal();
+        for (const Vec2 &p : section.shape->region().outer)
+            for (const double side : {-1.0, 1.0})
+                points.push_back(section.frame.toWorld(p) + side * half);
     }
-    return camera;
+    if (points.empty())
+        return fitted(camera, scene.bounds, viewport);
+    return fitted(camera, points, viewport, fitMargins(viewport, {}));
 }
 
 } // namespace fff::ui

@@ -23,6 +23,9 @@ struct OverlayTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::OverlayPainter)
 };
 
+constexpr double kLongestLine = 300.0; // px: longer ones are hard to read, and in the way
+constexpr double kRoundPlace = 16.0;   // px
+
 class Drawing
 {
 public:
@@ -90,7 +93,6 @@ private:
     QPointF screen(const Vec3 &world) const { return m_pen.screen(world); }
     void cased(const QPainterPath &path, const QPen &pen) { m_pen.cased(path, pen); }
     bool isGroundALine() const;
-    QString shortened(const QString &text) const;
     const QColor &colourOf(const PlacedMark &mark) const
     {
         return mark.isError ? m_style.problem : m_style.warning;
@@ -243,10 +245,11 @@ void Drawing::hoveredName()
     constexpr double kRight = 16.0, kBelow = 29.0; // px, off the cursor
     m_pen.chip({.place = QPointF(place->x() + kRight, place->y() + kBelow),
                 .anchor = MarkPen::Anchor::Left,
-                .text = shortened(m_scene.hoveredName),
+                .text = m_scene.hoveredName,
                 .colour = m_style.text,
                 .rank = MarkPen::Rank::InHand,
-                .frame = m_style.strong});
+                .frame = m_style.strong,
+                .longest = kLongestLine});
 }
 
 /// What the mark under the cursor is, of several the first, and how many there are besides.
@@ -261,27 +264,23 @@ void Drawing::hoveredMark()
         //: a problem: its number in the list, and what it is: "3  Sections overlap"
         QString text = OverlayTexts::tr("%1  %2").arg(m_locale.toString(first.number),
                                                       QString::fromStdString(first.words));
-        text = shortened(text);
+        if (others > 0 && text.endsWith(u'.'))
+            text.chop(1); // the sentence goes on
         if (others > 0)
             text = OverlayTexts::tr("%1, and %n more here", nullptr, others).arg(text);
         const double reach = mark.isDot ? kDotsRadius : kMarkRadius;
-        m_pen.chip({.place = QPointF(mark.centre.x() + reach + 6.0, mark.centre.y()),
+        // What it is about stays in sight: its place, and what is next to that.
+        m_pen.keepFree(QRectF(mark.anchor.x(), mark.anchor.y(), 0.0, 0.0)
+                           .adjusted(-kRoundPlace, -kRoundPlace, kRoundPlace, kRoundPlace));
+        m_pen.chip({.place = QPointF(mark.centre.x() + std::max(reach + 6.0, kRoundPlace),
+                                     mark.centre.y()),
                     .anchor = MarkPen::Anchor::Left,
                     .text = text,
                     .colour = m_style.text,
                     .rank = MarkPen::Rank::InHand,
-                    .frame = first.isError ? m_style.problem : m_style.warning});
+                    .frame = first.isError ? m_style.problem : m_style.warning,
+                    .longest = kLongestLine});
     }
-}
-
-/// A sentence over the model hides it.
-QString Drawing::shortened(const QString &text) const
-{
-    constexpr double kLongest = 260.0; // px
-    QFont font = m_painter.font();
-    font.setPixelSize(12);
-    font.setWeight(QFont::DemiBold);
-    return QFontMetricsF(font).elidedText(text, Qt::ElideRight, kLongest);
 }
 
 /// Something about the model is still being worked out.

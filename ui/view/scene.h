@@ -42,7 +42,7 @@ struct SceneSection
     bool isGhost = false;   // stands back while another one is drawn or looked at
     bool isHidden = false;
     bool isProblem = false; // red and hatched
-    bool isFaulty = false;  // outlined in red
+    bool isFaulty = false;  // outlined in red, without the hatch
 
     /// But for the outlines of what is selected and hovered.
     bool looksTheSame(const SceneSection &other) const;

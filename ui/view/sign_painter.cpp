@@ -297,6 +297,7 @@ void paintSign(MarkPen &pen, const sign::Arrow &arrow)
     path.moveTo(tip - kArrowHead * along + 0.7 * kArrowHead * across);
     path.lineTo(tip);
     path.lineTo(tip - kArrowHead * along - 0.7 * kArrowHead * across);
+    pen.keepFree(from, tip, 0.7 * kArrowHead);
     pen.cased(path, roundPen(pen.style().*lookOf(arrow.role).colour, kArrowWidth));
 }
 

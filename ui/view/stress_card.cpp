@@ -5,9 +5,11 @@
 #include "ui/view/stress_marks.h"
 
 #include <QCoreApplication>
+#include <QLineF>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fff::ui {
@@ -23,7 +25,12 @@ constexpr double kCardWidth = 300.0, kCardPad = 12.0, kCardRow = 20.0; // px
 constexpr double kNeckHeight = 92.0;                                   // px
 constexpr double kNeckShare = 0.45;  // of that, how long the neck is drawn
 constexpr double kBesideLine = 30.0; // px between the place and the card
-constexpr double kLeastPart = 0.02;  // of the worst stress: less is left out
+constexpr double kToEdge = 8.0;      // px between the card and the view's edge
+constexpr double kRingRadius = 12.0; // px, of the ring round the place
+constexpr double kLeader = 1.4;      // px
+/// A px² of what is kept free weighs as so many of what is explained; so does a px of the way.
+constexpr double kOnOthers = 4.0, kWay = 20.0;
+constexpr double kLeastPart = 0.02; // of the worst stress: less is left out
 constexpr double kRoundScale[] = {1.0, 2.0, 5.0};
 
 QString megapascals(double stress, double limit, const QLocale &locale)
@@ -105,7 +112,49 @@ void paintNeck(MarkPen &pen, const Analysis &analysis, const StressLine &line, c
     painter.restore();
 }
 
+double areaOf(const QRectF &box)
+{
+    return box.isValid() ? box.width() * box.height() : 0.0;
+}
+
 } // namespace
+
+QRectF cardPlace(const QSizeF &size, const QPointF &place, const QRectF &around, const MarkPen &pen)
+{
+    const QRectF view = QRectF(0.0, 0.0, pen.viewport().x(), pen.viewport().y())
+                            .adjusted(kToEdge, kToEdge, -kToEdge, -kToEdge);
+    const QRectF ring =
+        QRectF(place, QSizeF()).adjusted(-kBesideLine, -kBesideLine, kBesideLine, kBesideLine);
+    const auto inView = [&view](QRectF card) {
+        card.moveLeft(std::max(view.left(), std::min(card.left(), view.right() - card.width())));
+        card.moveTop(std::max(view.top(), std::min(card.top(), view.bottom() - card.height())));
+        return card;
+    };
+    QRectF best;
+    double least = std::numeric_limits<double>::infinity();
+    // Beside all of it, else beside the place alone.
+    for (const QRectF &beside : {around.united(ring), ring}) {
+        const QPointF middles[] = {{beside.right() + 0.5 * size.width(), place.y()},
+                                   {beside.left() - 0.5 * size.width(), place.y()},
+                                   {place.x(), beside.bottom() + 0.5 * size.height()},
+                                   {place.x(), beside.top() - 0.5 * size.height()}};
+        for (const QPointF &middle : middles) {
+            QRectF card(QPointF(), size);
+            card.moveCenter(middle);
+            card = inView(card);
+            double cost = areaOf(card & around) + kOnOthers * areaOf(card & ring) * kWay +
+                          kWay * QLineF(place, card.center()).length();
+            for (const Box2 &box : pen.room().taken())
+                cost += kOnOthers * areaOf(card & QRectF(QPointF(box.min.x(), box.min.y()),
+                                                         QPointF(box.max.x(), box.max.y())));
+            if (cost < least) {
+                least = cost;
+                best = card;
+            }
+        }
+    }
+    return best;
+}
 
 std::vector<StressRow> stressRows(const StressLine &line, const QLocale &locale)
 {
@@ -178,12 +227,20 @@ void paintStressCard(MarkPen &pen, const Analysis &analysis, const StressLine &l
             .height();
     const double height = 2.0 * kCardPad + kNeckHeight + 10.0 + lastHeight +
                           kCardRow * static_cast<double>(rows.size() + 2);
-    const Vec2 &view = pen.viewport();
-    QRectF card(place.x() + kBesideLine, place.y() - 0.5 * height, kCardWidth, height);
-    if (card.right() > view.x() - 8.0)
-        card.moveRight(place.x() - kBesideLine);
-    card.moveLeft(std::max(8.0, card.left()));
-    card.moveTop(std::clamp(card.top(), 8.0, std::max(8.0, view.y() - height - 8.0)));
+    const Section &section = *analysis.model.section(static_cast<std::size_t>(line.section));
+    QRectF around(place, QSizeF());
+    for (const Vec2 &p : section.shape->region().outer) {
+        const QPointF seen = pen.screen(section.frame.toWorld(p));
+        around |= QRectF(seen, QSizeF(0.1, 0.1));
+    }
+    const QRectF card = cardPlace({kCardWidth, height}, place, around, pen);
+    const QPointF beside(std::clamp(place.x(), card.left(), card.right()),
+                         std::clamp(place.y(), card.top(), card.bottom()));
+    if (const double far = QLineF(place, beside).length(); far > kRingRadius) {
+        QPainterPath leader(place + kRingRadius / far * (beside - place));
+        leader.lineTo(beside);
+        pen.cased(leader, roundPen(style.accent, kLeader));
+    }
     painter.setPen(Qt::NoPen);
     QColor shade(Qt::black);
     for (int i = 3; i >= 1; --i) {
@@ -211,7 +268,6 @@ void paintStressCard(MarkPen &pen, const Analysis &analysis, const StressLine &l
         top += kCardRow;
     };
     const WeakPlace weak = weakPlaceOf(analysis, line.body, line.stress);
-    const Section &section = *analysis.model.section(static_cast<std::size_t>(line.section));
     write(QString::fromStdString(section.name),
           //: %1 is a number of percent
           CardTexts::tr("%1\u202f%").arg(locale.toString(100.0 * line.use, 'f', 0)), bold,

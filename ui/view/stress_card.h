@@ -19,7 +19,14 @@ struct StressRow
 std::vector<StressRow> stressRows(const StressLine &line, const QLocale &locale);
 QString breaksFirst(const StressLine &line);
 
-/// A card with the place, the neck seen flat, and these rows, beside `place`, px.
+/// Where a card goes that explains a place: to a side of it, in the view if it fits there, so that
+/// it hides as little as can be of what it is about and of what is kept free. All in px.
+/// around  what the place belongs to, as it is seen
+QRectF cardPlace(const QSizeF &size, const QPointF &place, const QRectF &around,
+                 const MarkPen &pen);
+
+/// A card with the place, the neck seen flat, and these rows, beside `place`, px, with a line to
+/// it.
 void paintStressCard(MarkPen &pen, const Analysis &analysis, const StressLine &line,
                      const QPointF &place, const QLocale &locale);
 

@@ -140,6 +140,10 @@ double paintStressLegend(MarkPen &pen, const StressMarks &marks, const QLocale &
                 {(use - marks.least) / (1.0 - marks.least),
                  {locale.toString(100.0 * use, 'f', 0),
                   limit > 0.0 ? locale.toString(limit * use, 'g', 3) : QString()}});
+    if (marks.safety > 0.0)
+        //: in the legend of stress: %1 is the safety factor, such as 2
+        legend.note =
+            StressTexts::tr("Safety factor %1").arg(locale.toString(marks.safety, 'g', 3));
     return paintLegend(pen, legend);
 }
 

@@ -25,6 +25,7 @@ struct StressMarks
     std::shared_ptr<const BentModel> bent; // stress all over bodies, which is drawn in place of
                                            // their lines; null: not known
     double least = 0.2;                    // what the legend begins with
+    double safety = 0.0;                   // factor that stress is judged with; 0: not said
     double limit = 0.0;            // MPa: what the sheet bears that is strained most; 0: not known
     std::vector<ForceMark> forces; // at feet and joints
     bool isKnown = true;           // forces are known and can be trusted

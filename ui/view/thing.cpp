@@ -273,4 +273,16 @@ void addTriangles(const SceneThing &thing, std::vector<ThingVertex> &vertices)
             Vec3::Constant(std::clamp(std::cbrt(thing.mass / kSteel), kLeastBlock, kMostBlock)));
 }
 
+std::vector<Vec3> cornersOf(const std::vector<SceneThing> &things)
+{
+    std::vector<ThingVertex> vertices;
+    for (const SceneThing &thing : things)
+        if (!thing.isHidden)
+            addTriangles(thing, vertices);
+    std::vector<Vec3> corners;
+    for (const ThingVertex &vertex : vertices)
+        corners.emplace_back(vertex.position[0], vertex.position[1], vertex.position[2]);
+    return corners;
+}
+
 } // namespace fff::ui

@@ -39,5 +39,7 @@ struct ThingVertex
 
 /// Triangles, three vertices each, counter-clockwise from without.
 void addTriangles(const SceneThing &thing, std::vector<ThingVertex> &vertices);
+/// Their corners, of those that are not hidden; world, mm.
+std::vector<Vec3> cornersOf(const std::vector<SceneThing> &things);
 
 } // namespace fff::ui

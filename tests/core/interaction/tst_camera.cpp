@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/interaction/camera.h"
 #include "core/interaction/facing.h"
+#include "core/interaction/view_fit.h"
 #include "tests/test_program.h"
 
 #include <numbers>

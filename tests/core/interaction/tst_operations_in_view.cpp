@@ -5,6 +5,7 @@
 #include "core/interaction/hover_words.h"
 #include "core/interaction/pick_words.h"
 #include "core/interaction/tool.h"
+#include "core/interaction/view_fit.h"
 #include "core/model/edit_words.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"

@@ -2,6 +2,7 @@
 
 #include "core/interaction/steps_player.h"
 #include "core/interaction/steps_tool.h"
+#include "core/interaction/view_fit.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/known_models.h"

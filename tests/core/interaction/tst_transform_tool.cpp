@@ -4,6 +4,7 @@
 #include "core/interaction/section_words.h"
 #include "core/interaction/tool.h"
 #include "core/interaction/transform_words.h"
+#include "core/interaction/view_fit.h"
 #include "core/model/edit_words.h"
 #include "core/model/moving.h"
 #include "core/model/origin.h"

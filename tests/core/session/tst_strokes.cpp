@@ -4,6 +4,7 @@
 #include "core/interaction/contour_words.h"
 #include "core/interaction/hover_words.h"
 #include "core/interaction/stroke_words.h"
+#include "core/interaction/view_fit.h"
 #include "core/io/document_file.h"
 #include "core/model/edit_words.h"
 #include "core/session/session_commands.h"

@@ -1,6 +1,7 @@
 // Pictures by the renderer itself, where a law says what must be in them.
 #include <QTest>
 
+#include "core/interaction/view_fit.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "ui/view/renderer.h"

@@ -101,7 +101,7 @@ void TestSigns::everyRoleHasALook()
 void TestSigns::aToolOfItsOwnIsSeen()
 {
     Desk desk;
-    desk.interaction.replaceCamera(desk.interaction.camera());
+    desk.interaction.setCamera(desk.interaction.camera());
     desk.moveTo({10.0, 10.0});
     const QImage without = painted(desk.interaction);
     desk.interaction.pickUp(std::make_unique<PushTool>(), desk.time);

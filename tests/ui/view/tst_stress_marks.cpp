@@ -67,6 +67,32 @@ class TestStressMarks : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// Wrong: a card that lies on the very place that it explains, or half beyond the edge.
+    void theCardStandsBesideItsPlace()
+    {
+        QImage image(640, 480, QImage::Format_ARGB32_Premultiplied);
+        QPainter painter(&image);
+        const ViewStyle style;
+        const Vec2 view(640.0, 480.0);
+        for (double x = 0.0; x <= view.x(); x += 32.0)
+            for (double y = 0.0; y <= view.y(); y += 32.0) {
+                MarkPen pen(painter, Camera(), view, style);
+                const QPointF place(x, y);
+                const QRectF all(0.0, 0.0, view.x(), view.y());
+                const QRectF alone = cardPlace({300.0, 200.0}, place,
+                                               QRectF(place, QSizeF()).adjusted(-9, -9, 9, 9), pen);
+                QVERIFY(all.contains(alone));
+                QVERIFY(!alone.adjusted(-12, -12, 12, 12).contains(place));
+                // Of a section as large as the view it cannot keep off.
+                const QRectF within = cardPlace({300.0, 200.0}, place, all, pen);
+                QVERIFY(all.contains(within) && !within.adjusted(-12, -12, 12, 12).contains(place));
+            }
+        // There is room beside the section as well.
+        MarkPen pen(painter, Camera(), view, style);
+        const QRectF section(20.0, 100.0, 250.0, 300.0);
+        QVERIFY(!cardPlace({300.0, 200.0}, {140.0, 240.0}, section, pen).intersects(section));
+    }
+
     void theLineUnderTheCursor();
     void whatItSays();
     void feetBearTheWeight();

@@ -1,0 +1,72 @@
+#include "core/interaction/interaction_private.h"
+#include "core/interaction/view_fit.h"
+
+namespace fff {
+
+/// What a document is first seen in: from the front, fitted.
+void Interaction::Private::fitFirst()
+{
+    Camera front;
+    front.projection = motion.camera.projection;
+    motion.camera = fittedToAll(front);
+}
+
+Camera Interaction::Private::fittedToAll(const Camera &from) const
+{
+    std::vector<Vec3> seen = outlinePoints(host.model(), view);
+    seen.insert(seen.end(), seenBesides.begin(), seenBesides.end());
+    return fitted(from, seen, motion.viewport, fitMargins(motion.viewport, covered));
+}
+
+/// The view has other room: what fills it still does, unless somebody has looked closer or is at
+/// work, whose hand would miss what it was over.
+void Interaction::Private::followRoom()
+{
+    if (!motion.isTouched)
+        return fitFirst();
+    const PenMarks *path = overlay.find<PenMarks>();
+    const bool isAtWork =
+        gesture || isToolPressed || overlay.hasStroke() || (path && !path->points.empty());
+    if (isAtWork || !motion.isAsFitted() || !host.model().document.isSame(fittedDocument))
+        return;
+    motion.refit(fittedToAll(motion.target()));
+    hover();
+    update();
+}
+
+void Interaction::fitAll(const Camera &from, double time, double duration)
+{
+    turnTo(d->fittedToAll(from), time, duration);
+    d->motion.fit = d->motion.target();
+    d->fittedDocument = d->host.model().document;
+}
+
+void Interaction::fit(std::span<const Vec3> points, double time, double duration)
+{
+    const Vec2 &viewport = d->motion.viewport;
+    turnTo(fitted(targetCamera(), points, viewport, fitMargins(viewport, d->covered)), time,
+           duration);
+}
+
+void Interaction::setCovered(std::vector<Box2> covered)
+{
+    const auto isSame = [](const Box2 &a, const Box2 &b) {
+        return a.min == b.min && a.max == b.max;
+    };
+    if (std::equal(covered.begin(), covered.end(), d->covered.begin(), d->covered.end(), isSame))
+        return;
+    d->covered = std::move(covered);
+    d->followRoom();
+}
+
+const std::vector<Box2> &Interaction::covered() const
+{
+    return d->covered;
+}
+
+void Interaction::setSeenBesides(std::vector<Vec3> points)
+{
+    d->seenBesides = std::move(points);
+}
+
+} // namespace fff

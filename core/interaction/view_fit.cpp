@@ -1,0 +1,176 @@
+#include "core/interaction/view_fit.h"
+
+#include "core/base/tolerances.h"
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fff {
+
+namespace {
+
+/// Part of the view that stays free at each side.
+constexpr double kFitMargin = 0.08;
+/// Between what stands over the view and the model, px.
+constexpr double kBesideCover = 8.0;
+/// Of the view at least, whatever stands over it.
+constexpr double kLeastRoom = 0.3;
+/// What is smaller is shown as if it had this size, mm: a point needs some scale.
+constexpr double kSmallestFit = 1.0;
+/// Width and depth of what an empty document shows, mm.
+constexpr double kEmptyView = 200.0;
+
+/// Ground of 20 cm with the middle of the first plane in its middle.
+Box3 emptyBox()
+{
+    Box3 box;
+    box.extend(Vec3(-0.5 * kEmptyView, 0.0, -0.5 * kEmptyView));
+    box.extend(Vec3(0.5 * kEmptyView, 2.0 * kFirstPlaneHeight, 0.5 * kEmptyView));
+    return box;
+}
+
+std::array<Vec3, 8> cornersOf(const Box3 &box)
+{
+    std::array<Vec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {(i & 1U) != 0 ? box.max.x() : box.min.x(),
+                      (i & 2U) != 0 ? box.max.y() : box.min.y(),
+                      (i & 4U) != 0 ? box.max.z() : box.min.z()};
+    return corners;
+}
+
+void addOutline(const Model &model, std::size_t index, std::vector<Vec3> &points)
+{
+    const Section &section = *model.section(index);
+    const Vec3 half = 0.5 * model.stockOf(index).thickness * section.frame.normal();
+    for (const Vec2 &p : section.shape->region().outer) {
+        const Vec3 middle = section.frame.toWorld(p);
+        points.push_back(middle + half);
+        points.push_back(middle - half);
+    }
+}
+
+/// Along one direction of the screen, at a pixel's length of 1 in the camera's plane: how far the
+/// points reach to its two sides, as the room's sides would have to be seen from the eye.
+struct Reach
+{
+    double ahead = 0.0, back = 0.0; // mm, of p + tan · depth over all points, to either side
+    double tanAhead = 0.0, tanBack = 0.0;
+
+    /// From the eye to the depth that points are measured from, mm: so far that all are inside.
+    double eye() const { return (ahead + back) / (tanAhead + tanBack); }
+    /// The eye's place along the direction, when it stands at that depth: in the middle of those
+    /// from which all points are inside.
+    double place(double depth) const
+    {
+        return 0.5 * ((ahead - tanAhead * depth) + (tanBack * depth - back));
+    }
+};
+
+} // namespace
+
+ViewMargins fitMargins(const Vec2 &viewport, std::span<const Box2> covered)
+{
+    const Vec2 free = kFitMargin * viewport;
+    ViewMargins margins{free.x(), free.y(), free.x(), free.y()};
+    for (const Box2 &box : covered) {
+        if (box.size().x() < box.size().y())
+            continue; // what stands upright leaves room beside it
+        if (box.max.y() < 0.5 * viewport.y())
+            margins.top = std::max(margins.top, box.max.y() + kBesideCover);
+        else if (box.min.y() > 0.5 * viewport.y())
+            margins.bottom = std::max(margins.bottom, viewport.y() - box.min.y() + kBesideCover);
+    }
+    const double most = (1.0 - kLeastRoom) * viewport.y();
+    if (const double taken = margins.top + margins.bottom; taken > most) {
+        margins.top *= most / taken;
+        margins.bottom *= most / taken;
+    }
+    return margins;
+}
+
+std::vector<Vec3> outlinePoints(const Model &model, const ViewState &view)
+{
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        if (!view.isHidden(model.ref(i)))
+            addOutline(model, i, points);
+    return points;
+}
+
+std::vector<Vec3> outlinePoints(const Model &model, const std::vector<SectionRef> &sections)
+{
+    std::vector<Vec3> points;
+    for (const SectionRef &ref : sections)
+        if (const int index = model.indexOf(ref); index >= 0)
+            addOutline(model, static_cast<std::size_t>(index), points);
+    return points;
+}
+
+Camera fitted(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
+              const ViewMargins &margins)
+{
+    if (points.empty()) {
+        const std::array<Vec3, 8> corners = cornersOf(emptyBox());
+        return fitted(camera, corners, viewport, margins);
+    }
+    const Vec2 size = viewport.cwiseMax(1.0);
+    const Vec3 axes[] = {camera.right(), camera.up(), camera.backward()};
+    Box3 seen; // in the camera's axes
+    for (const Vec3 &p : points)
+        seen.extend(Vec3(axes[0].dot(p), axes[1].dot(p), axes[2].dot(p)));
+    const Vec3 middle = seen.center();
+
+    // The room's sides from the view's middle, px: ahead is right and up.
+    const Vec2 ahead = (0.5 * size - Vec2(margins.right, margins.top)).cwiseMax(1.0);
+    const Vec2 back = (0.5 * size - Vec2(margins.left, margins.bottom)).cwiseMax(1.0);
+    const double least = kSmallestFit / (ahead + back).minCoeff();
+    Camera result = camera;
+    Vec3 target = middle;
+    if (!camera.isPerspective()) {
+        const Vec2 scales = seen.size().head<2>().cwiseQuotient(ahead + back);
+        const double scale =
+            std::clamp(std::max(scales.maxCoeff(), least), kFinestScale, kCoarsestScale);
+        target.head<2>() -= 0.5 * scale * (ahead - back);
+        result.millimetresPerPixel = scale;
+    } else {
+        // All points are inside when each of the room's sides, a plane through the eye, has them on
+        // its inner side: the eye's nearest depth from which both of a pair of sides do, and then
+        // its place between them.
+        const double perTan = 0.5 * size.y() / std::tan(0.5 * kFieldOfView); // px
+        Reach reach[2];
+        for (const int axis : {0, 1}) {
+            Reach &of = reach[axis];
+            of.tanAhead = ahead[axis] / perTan;
+            of.tanBack = back[axis] / perTan;
+            of.ahead = of.back = -std::numeric_limits<double>::infinity();
+        }
+        for (const Vec3 &p : points) {
+            const double near = axes[2].dot(p) - middle.z();
+            for (const int axis : {0, 1}) {
+                const double off = axes[axis].dot(p) - middle[axis];
+                Reach &of = reach[axis];
+                of.ahead = std::max(of.ahead, off + of.tanAhead * near);
+                of.back = std::max(of.back, of.tanBack * near - off);
+            }
+        }
+        const double eye = std::clamp(std::max({reach[0].eye(), reach[1].eye(), least * perTan}),
+                                      kFinestScale * perTan, kCoarsestScale * perTan);
+        result.millimetresPerPixel = eye / perTan;
+        target.x() += reach[0].place(eye);
+        target.y() += reach[1].place(eye);
+    }
+    result.target = target.x() * axes[0] + target.y() * axes[1] + target.z() * axes[2];
+    return result;
+}
+
+Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport)
+{
+    const std::array<Vec3, 8> corners = cornersOf(box.isEmpty() ? emptyBox() : box);
+    return fitted(camera, corners, viewport, fitMargins(viewport, {}));
+}
+
+} // namespace fff

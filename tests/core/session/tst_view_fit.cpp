@@ -1,0 +1,199 @@
+// What is seen fills the view: its outline on the screen, worked out from the curves of contours.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/interaction/view_fit.h"
+#include "core/io/document_file.h"
+#include "core/operations/evaluate.h"
+#include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
+
+#include <QFile>
+
+#include <random>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+constexpr double kNear = 2.0; // px
+const char *const kViews[] = {"front",  "right", "back", "left", "top",
+                              "bottom", "iso1",  "iso2", "iso3", "iso4"};
+
+/// Of both faces of all sections that are seen, px.
+Box2 outlineOf(const Model &model, const Camera &camera, const Vec2 &viewport,
+               const ViewState &view = {})
+{
+    constexpr int kChords = 64;
+    Box2 box;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        const Section &section = *model.section(i);
+        if (view.isHidden(section.ref()))
+            continue;
+        const double half = 0.5 * model.document.stockOf(section).thickness;
+        const Contour &contour = section.shape->contour();
+        for (int k = 0; k < contour.segmentCount(); ++k)
+            for (int t = 0; t < kChords; ++t)
+                for (const double side : {-half, half})
+                    box.extend(camera.toScreen(
+                        section.frame.toWorld(contour.segment(k).at(double(t) / kChords)) +
+                            side * section.frame.x.cross(section.frame.y),
+                        viewport));
+    }
+    return box;
+}
+
+/// In the middle of the room that is left, and against two of its sides.
+void checkFills(const Box2 &seen, const Vec2 &viewport, const ViewMargins &margins)
+{
+    const double left = seen.min.x() - margins.left, top = seen.min.y() - margins.top,
+                 right = viewport.x() - margins.right - seen.max.x(),
+                 bottom = viewport.y() - margins.bottom - seen.max.y();
+    for (const double beyond : {left, top, right, bottom})
+        QVERIFY2(beyond > -kNear, qPrintable(QString::number(beyond)));
+    const bool isAcross = std::max(left, right) < kNear, isUpright = std::max(top, bottom) < kNear;
+    QVERIFY2(isAcross || isUpright,
+             qPrintable(QStringLiteral("%1 %2 %3 %4").arg(left).arg(top).arg(right).arg(bottom)));
+}
+
+ViewMargins plainMargins(const Vec2 &viewport)
+{
+    return {0.08 * viewport.x(), 0.08 * viewport.y(), 0.08 * viewport.x(), 0.08 * viewport.y()};
+}
+
+Document fileOf(const QString &file)
+{
+    const auto read = io::readDocument(file);
+    return read ? read->document : Document();
+}
+
+} // namespace
+
+class TestViewFit : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theOutlineTouchesTheMargin_data()
+    {
+        QTest::addColumn<QString>("file");
+        const QString samples = QStringLiteral(FFF_SAMPLES),
+                      shared = QStringLiteral(FFF_SHARED_MODELS);
+        for (const char *name : {"dinosaur", "fish", "chair", "gears", "tree", "bridge"})
+            QTest::newRow(name) << samples + u'/' + QLatin1String(name) + QStringLiteral(".fff");
+        for (const char *name : {"octopus", "teaser_waterglass1", "spider"})
+            QTest::newRow(name) << shared + u'/' + QLatin1String(name) + QStringLiteral(".txt");
+    }
+
+    /// The box of a turned model is much larger than what is seen of it.
+    void theOutlineTouchesTheMargin()
+    {
+        QFETCH(QString, file);
+        if (!QFile::exists(file))
+            FFF_WITHOUT_SHARED();
+        Desk desk;
+        desk.session.reset(fileOf(file));
+        const Model &model = desk.session.model();
+        QVERIFY(model.sectionCount() > 0);
+        std::mt19937 random(20261126); // NOLINT
+        std::normal_distribution<double> part;
+        for (const Vec2 &viewport : {Vec2(860.0, 760.0), Vec2(713.0, 512.0), Vec2(480.0, 900.0)}) {
+            desk.interaction.setViewport(viewport);
+            for (const Projection projection : {Projection::Orthographic, Projection::Perspective})
+                for (int i = 0; i < 20; ++i) {
+                    Camera camera;
+                    camera.projection = projection;
+                    if (i < 10)
+                        QVERIFY(orientationOfView(kViews[i], camera.orientation));
+                    else
+                        camera.orientation = Eigen::Quaterniond(part(random), part(random),
+                                                                part(random), part(random))
+                                                 .normalized();
+                    desk.interaction.fitAll(camera, desk.time, 0.0);
+                    checkFills(outlineOf(model, desk.interaction.camera(), viewport), viewport,
+                               plainMargins(viewport));
+                    if (QTest::currentTestFailed())
+                        return;
+                }
+        }
+    }
+
+    /// A model whose head is behind the verdicts, or its feet behind a bar.
+    void whatStandsOverTheViewLeavesLessRoom()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+        const Vec2 viewport(700.0, 420.0);
+        desk.interaction.setViewport(viewport);
+        desk.interaction.setCovered(
+            {{{10.0, 10.0}, {400.0, 70.0}}, {{100.0, 340.0}, {600.0, 406.0}}});
+        for (const char *name : kViews) {
+            Camera camera;
+            QVERIFY(orientationOfView(name, camera.orientation));
+            desk.interaction.fitAll(camera, desk.time, 0.0);
+            const Box2 seen = outlineOf(desk.session.model(), desk.interaction.camera(), viewport);
+            QVERIFY(seen.min.y() >= 70.0 && seen.max.y() <= 340.0);
+            checkFills(seen, viewport, {0.08 * 700.0, 78.0, 0.08 * 700.0, 88.0});
+        }
+        // However much stands there, a model is not drawn upside down or as a point.
+        desk.interaction.setCovered({{{0.0, 0.0}, {700.0, 205.0}}, {{0.0, 215.0}, {700.0, 420.0}}});
+        desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+        QVERIFY(outlineOf(desk.session.model(), desk.interaction.camera(), viewport).size().y() >
+                100.0);
+    }
+
+    void whatIsHiddenTakesNoRoom()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+        const Vec2 &viewport = desk.interaction.viewport();
+        ViewState view;
+        for (std::size_t i = 1; i < desk.session.model().sectionCount(); ++i)
+            view.hidden.insert(desk.session.model().ref(i));
+        desk.interaction.setView(view);
+        desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+        checkFills(outlineOf(desk.session.model(), desk.interaction.camera(), viewport, view),
+                   viewport, plainMargins(viewport));
+    }
+
+    /// A dock that opens hides a part of the model, or leaves a hole beside it.
+    void itFollowsTheRoomUntilSomebodyLooksCloser()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+        Camera camera;
+        QVERIFY(orientationOfView("iso1", camera.orientation));
+        desk.interaction.fitAll(camera, desk.time, 0.0);
+        const Vec2 narrow(640.0, 700.0);
+        desk.interaction.setViewport(narrow);
+        const Model &model = desk.session.model();
+        checkFills(outlineOf(model, desk.interaction.camera(), narrow), narrow,
+                   plainMargins(narrow));
+        desk.interaction.setCovered({{{100.0, 600.0}, {500.0, 690.0}}});
+        QVERIFY(outlineOf(model, desk.interaction.camera(), narrow).max.y() < 600.0);
+        desk.interaction.setCovered({});
+
+        desk.wheel({300.0, 300.0}, 1.0);
+        const Camera closer = desk.interaction.camera();
+        desk.interaction.setViewport({900.0, 700.0});
+        desk.interaction.setCovered({{{100.0, 600.0}, {500.0, 690.0}}});
+        QVERIFY(desk.interaction.camera() == closer);
+    }
+
+    /// What is drawn would slip away from under the hand.
+    void itStaysWhileOneDraws()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+        desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+        const Vec2 middle = 0.5 * desk.interaction.viewport();
+        desk.press(middle, Button::Right);
+        desk.send(Desk::Type::Move, middle + Vec2(30.0, 0.0));
+        const Camera turning = desk.interaction.camera();
+        desk.interaction.setCovered({{{100.0, 600.0}, {500.0, 790.0}}});
+        QVERIFY(desk.interaction.camera() == turning);
+    }
+};
+
+FFF_TEST(TestViewFit)
+#include "tst_view_fit.moc"
