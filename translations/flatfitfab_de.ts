@@ -1131,6 +1131,10 @@
         <source>1 problem solved</source>
         <translation>ein Problem gelöst</translation>
     </message>
+    <message>
+        <source>Pulled at</source>
+        <translation>Auf Zug</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -2868,6 +2872,38 @@
         <source>Fade all other sections</source>
         <translation>Alle anderen Scheiben blass zeigen</translation>
     </message>
+    <message>
+        <source>&amp;Mesh to draw over…</source>
+        <translation>&amp;Netz als Vorlage …</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Read a mesh that sections snap to while you draw them</source>
+        <translation>Ein Netz laden, an dem Scheiben beim Zeichnen einrasten</translation>
+    </message>
+    <message>
+        <source>&amp;Take the whole guide</source>
+        <translation>&amp;Ganze Führung übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the guide</source>
+        <translation>Führung übernehmen</translation>
+    </message>
+    <message>
+        <source>Make the section of all that its plane cuts of a template, with its holes</source>
+        <translation>Die Scheibe aus allem machen, was ihre Ebene aus einer Vorlage schneidet, mit den Löchern</translation>
+    </message>
+    <message>
+        <source>The plane that is drawn on cuts no template</source>
+        <translation>Die Ebene, auf der gezeichnet wird, schneidet keine Vorlage</translation>
+    </message>
+    <message>
+        <source>There is no template: add a mesh or a picture first</source>
+        <translation>Es gibt keine Vorlage: erst ein Netz oder ein Bild hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -2969,6 +3005,10 @@
     <message>
         <source>Millimetres per unit of a FlatFab file (25.4).</source>
         <translation>Millimeter je Einheit einer FlatFab-Datei (25.4).</translation>
+    </message>
+    <message>
+        <source>The loops in which a plane cuts a mesh</source>
+        <translation>Die Umrisse, in denen eine Ebene ein Netz schneidet</translation>
     </message>
 </context>
 <context>
@@ -3756,6 +3796,221 @@
         <source>its data is damaged</source>
         <translation>seine Bytes sind beschädigt</translation>
     </message>
+    <message>
+        <source>the mesh of %1 could not be read; its place was kept</source>
+        <translation>das Netz von %1 ließ sich nicht lesen; sein Platz blieb</translation>
+    </message>
+    <message>
+        <source>a mesh could not be read; its place was kept</source>
+        <translation>ein Netz ließ sich nicht lesen; sein Platz blieb</translation>
+    </message>
+    <message>
+        <source>mesh, picture or curves</source>
+        <translation>mesh, picture oder curves</translation>
+    </message>
+    <message>
+        <source>nothing: only meshes are pulled</source>
+        <translation>nichts: nur Netze werden gezogen</translation>
+    </message>
+    <message>
+        <source>a radius from 0.1 to 1000 mm</source>
+        <translation>ein Radius von 0.1 bis 1000 mm</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>der Pfad einer Datei</translation>
+    </message>
+    <message>
+        <source>a blob&apos;s SHA-256, or a file</source>
+        <translation>der SHA-256 eines Blobs oder eine Datei</translation>
+    </message>
+    <message>
+        <source>nothing: a mesh lies on no section</source>
+        <translation>nichts: ein Netz liegt auf keiner Scheibe</translation>
+    </message>
+    <message>
+        <source>a scale from 1e-9 to 1e9</source>
+        <translation>ein Maßstab von 1e-9 bis 1e9</translation>
+    </message>
+    <message>
+        <source>an opacity from 0 to 1</source>
+        <translation>eine Deckkraft von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>a buffer with bytes</source>
+        <translation>ein Puffer mit Bytes</translation>
+    </message>
+    <message>
+        <source>a buffer in the file</source>
+        <translation>ein Puffer in der Datei</translation>
+    </message>
+    <message>
+        <source>a length that its buffer has</source>
+        <translation>eine Länge, die sein Puffer hat</translation>
+    </message>
+    <message>
+        <source>a type of numbers that glTF has</source>
+        <translation>ein Zahlentyp, den es in glTF gibt</translation>
+    </message>
+    <message>
+        <source>as many values as its buffer has</source>
+        <translation>so viele Werte, wie sein Puffer hat</translation>
+    </message>
+    <message>
+        <source>as many numbers as belong there</source>
+        <translation>so viele Zahlen, wie dorthin gehören</translation>
+    </message>
+    <message>
+        <source>a node that is not within itself</source>
+        <translation>ein Knoten, der nicht in sich selbst liegt</translation>
+    </message>
+    <message>
+        <source>a chunk of a GLB file</source>
+        <translation>ein Abschnitt einer GLB-Datei</translation>
+    </message>
+    <message>
+        <source>version 2 of GLB</source>
+        <translation>Version 2 von GLB</translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation>eine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>version 2 of glTF</source>
+        <translation>Version 2 von glTF</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>it is in another folder</source>
+        <translation>es liegt in einem anderen Ordner</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>ein Netz</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>at least three corners of a face</source>
+        <translation>mindestens drei Ecken einer Fläche</translation>
+    </message>
+    <message>
+        <source>the number of vertices</source>
+        <translation>die Zahl der Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>die Zahl der Flächen</translation>
+    </message>
+    <message>
+        <source>the corners of a face</source>
+        <translation>die Ecken einer Fläche</translation>
+    </message>
+    <message>
+        <source>the format</source>
+        <translation>das Format</translation>
+    </message>
+    <message>
+        <source>element or end_header</source>
+        <translation>element oder end_header</translation>
+    </message>
+    <message>
+        <source>ascii or binary</source>
+        <translation>ascii oder binary</translation>
+    </message>
+    <message>
+        <source>a type such as float or int</source>
+        <translation>ein Typ wie float oder int</translation>
+    </message>
+    <message>
+        <source>an element first</source>
+        <translation>zuerst ein Element</translation>
+    </message>
+    <message>
+        <source>as many values as the file says it has</source>
+        <translation>so viele Werte, wie die Datei angibt</translation>
+    </message>
+    <message>
+        <source>x, y and z</source>
+        <translation>x, y und z</translation>
+    </message>
+    <message>
+        <source>vertex_indices</source>
+        <translation>vertex_indices</translation>
+    </message>
+    <message>
+        <source>the length of a list</source>
+        <translation>die Länge einer Liste</translation>
+    </message>
+    <message>
+        <source>the number of triangles</source>
+        <translation>die Zahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>as many triangles as the file says it has</source>
+        <translation>so viele Dreiecke, wie die Datei angibt</translation>
+    </message>
+    <message>
+        <source>facet or endsolid</source>
+        <translation>facet oder endsolid</translation>
+    </message>
+    <message>
+        <source>outer loop</source>
+        <translation>outer loop</translation>
+    </message>
+    <message>
+        <source>vertex or endloop</source>
+        <translation>vertex oder endloop</translation>
+    </message>
+    <message>
+        <source>three corners of a triangle</source>
+        <translation>drei Ecken eines Dreiecks</translation>
+    </message>
+    <message>
+        <source>endfacet</source>
+        <translation>endfacet</translation>
+    </message>
+    <message>
+        <source>there is no 3D model in this file</source>
+        <translation>in dieser Datei ist kein 3D-Modell</translation>
+    </message>
+    <message>
+        <source>a 3D model</source>
+        <translation>ein 3D-Modell</translation>
+    </message>
+    <message>
+        <source>a unit such as millimeter</source>
+        <translation>eine Einheit wie millimeter</translation>
+    </message>
+    <message>
+        <source>twelve numbers</source>
+        <translation>zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>an object that does not contain itself</source>
+        <translation>ein Objekt, das sich nicht selbst enthält</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n meshes could not be read; their places were kept.</source>
+        <translation>
+            <numerusform>%n Netz ließ sich nicht lesen; sein Platz blieb.</numerusform>
+            <numerusform>%n Netze ließen sich nicht lesen; ihre Plätze blieben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a mesh with at least one triangle</source>
+        <translation>ein Netz mit mindestens einem Dreieck</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -3833,6 +4088,30 @@
     <message>
         <source>Drawings for cutters, one for each sheet</source>
         <translation>Schneidzeichnungen, eine je Platte</translation>
+    </message>
+    <message>
+        <source>glTF meshes</source>
+        <translation>glTF-Netze</translation>
+    </message>
+    <message>
+        <source>OBJ meshes</source>
+        <translation>OBJ-Netze</translation>
+    </message>
+    <message>
+        <source>OFF meshes</source>
+        <translation>OFF-Netze</translation>
+    </message>
+    <message>
+        <source>PLY meshes</source>
+        <translation>PLY-Netze</translation>
+    </message>
+    <message>
+        <source>STL meshes</source>
+        <translation>STL-Netze</translation>
+    </message>
+    <message>
+        <source>3MF meshes</source>
+        <translation>3MF-Netze</translation>
     </message>
 </context>
 <context>
@@ -4460,12 +4739,12 @@
     <message>
         <source>Release to start %1 here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 beginnt hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <translation>Loslassen: %1 beginnt hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Release to end %1 here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 endet hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <translation>Loslassen: %1 endet hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; puts the pen away.</source>
@@ -4559,6 +4838,19 @@
         <source>%1 fell apart when it was cut flat at the ground; the largest piece was kept.</source>
         <translation>Am Boden eben abgeschnitten zerfiel %1; das größte Stück blieb.</translation>
     </message>
+    <message>
+        <source>Follow the teal curve to snap to %1; hold &lt;kbd&gt;Ctrl&lt;/kbd&gt; to leave it. &lt;kbd&gt;Shift+Enter&lt;/kbd&gt; takes it whole.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Der blaugrünen Linie folgen, um an %1 einzurasten; mit &lt;kbd&gt;Strg&lt;/kbd&gt; bleibt sie frei. &lt;kbd&gt;Umschalt+Eingabe&lt;/kbd&gt; nimmt sie ganz.</translation>
+    </message>
+    <message>
+        <source>Shift+Enter: take the whole guide</source>
+        <translation>Umschalt+Eingabe: ganze Führung übernehmen</translation>
+    </message>
+    <message>
+        <source>The slit does not touch a guide, so there is none to take whole.</source>
+        <translation>Der Schlitz berührt keine Führung, also ist keine ganz zu übernehmen.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -4585,6 +4877,112 @@
     <message>
         <source>Plant pot</source>
         <translation>Blumentopf</translation>
+    </message>
+</context>
+<context>
+    <name>Mesh</name>
+    <message>
+        <source>A face was left out: a corner of it is not there.</source>
+        <translation>Eine Fläche wurde weggelassen: Eine ihrer Ecken gibt es nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: a corner of theirs is not there.</source>
+        <translation>
+            <numerusform>%n Fläche wurde weggelassen: Eine ihrer Ecken gibt es nicht.</numerusform>
+            <numerusform>%n Flächen wurden weggelassen: Eine ihrer Ecken gibt es nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A face was left out: the place of a corner is no number.</source>
+        <translation>Eine Fläche wurde weggelassen: Der Ort einer Ecke ist keine Zahl.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: the place of a corner is no number.</source>
+        <translation>
+            <numerusform>%n Fläche wurde weggelassen: Der Ort einer Ecke ist keine Zahl.</numerusform>
+            <numerusform>%n Flächen wurden weggelassen: Der Ort einer Ecke ist keine Zahl.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A face was left out: it has a corner twice.</source>
+        <translation>Eine Fläche wurde weggelassen: Sie hat eine Ecke doppelt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: they have a corner twice.</source>
+        <translation>
+            <numerusform>%n Fläche wurde weggelassen: Sie hat eine Ecke doppelt.</numerusform>
+            <numerusform>%n Flächen wurden weggelassen: Sie haben eine Ecke doppelt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A face was left out: it is there twice.</source>
+        <translation>Eine Fläche wurde weggelassen: Es gibt sie doppelt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: they are there twice.</source>
+        <translation>
+            <numerusform>%n Fläche wurde weggelassen: Es gibt sie zweimal.</numerusform>
+            <numerusform>%n Flächen wurden weggelassen: Es gibt sie zweimal.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A face looked the wrong way and was turned over.</source>
+        <translation>Eine Fläche zeigte in die falsche Richtung und wurde umgedreht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces looked the wrong way and were turned over.</source>
+        <translation>
+            <numerusform>%n Fläche zeigte in die falsche Richtung und wurde umgedreht.</numerusform>
+            <numerusform>%n Flächen zeigten in die falsche Richtung und wurden umgedreht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The surface has a hole: an edge is open.</source>
+        <translation>Die Oberfläche hat ein Loch: Eine Kante ist offen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The surface has holes: %n edges are open.</source>
+        <translation>
+            <numerusform>Die Oberfläche hat Löcher: %n Kante ist offen.</numerusform>
+            <numerusform>Die Oberfläche hat Löcher: %n Kanten sind offen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>More than two faces meet at an edge.</source>
+        <translation>An einer Kante treffen sich mehr als zwei Flächen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>More than two faces meet at %n edges.</source>
+        <translation>
+            <numerusform>An %n Kante treffen sich mehr als zwei Flächen.</numerusform>
+            <numerusform>An %n Kanten treffen sich mehr als zwei Flächen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At an edge faces meet that cannot look the same way.</source>
+        <translation>An einer Kante treffen sich Flächen, die nicht in dieselbe Richtung zeigen können.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edges faces meet that cannot look the same way.</source>
+        <translation>
+            <numerusform>An %n Kante treffen sich Flächen, die nicht in dieselbe Richtung zeigen können.</numerusform>
+            <numerusform>An %n Kanten treffen sich Flächen, die nicht in dieselbe Richtung zeigen können.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It was inside out and was turned over.</source>
+        <translation>Innen war außen; es wurde umgedreht.</translation>
+    </message>
+    <message>
+        <source>A gap in the cut was closed by a smooth curve.</source>
+        <translation>Eine Lücke im Schnitt wurde mit einer glatten Kurve geschlossen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gaps in the cut were closed by smooth curves.</source>
+        <translation>
+            <numerusform>%n Lücke im Schnitt wurde durch eine glatte Kurve geschlossen.</numerusform>
+            <numerusform>%n Lücken im Schnitt wurden durch glatte Kurven geschlossen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5135,6 +5533,82 @@
         <source>Repeats everything drawn once all round an axis.</source>
         <translation>Was einmal gezeichnet ist, steht rings um eine Achse.</translation>
     </message>
+    <message>
+        <source>Planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>across X</source>
+        <translation>quer zu X</translation>
+    </message>
+    <message>
+        <source>across Y</source>
+        <translation>quer zu Y</translation>
+    </message>
+    <message>
+        <source>across Z</source>
+        <translation>quer zu Z</translation>
+    </message>
+    <message>
+        <source>across X and Y</source>
+        <translation>quer zu X und Y</translation>
+    </message>
+    <message>
+        <source>across X and Z</source>
+        <translation>quer zu X und Z</translation>
+    </message>
+    <message>
+        <source>across Y and Z</source>
+        <translation>quer zu Y und Z</translation>
+    </message>
+    <message>
+        <source>around</source>
+        <translation>ringsum</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>In each direction</source>
+        <translation>In jeder Richtung</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Of all planes, as a part of their spacing</source>
+        <translation>Aller Ebenen, als Teil ihres Abstands</translation>
+    </message>
+    <message>
+        <source>Smallest piece</source>
+        <translation>Kleinstes Stück</translation>
+    </message>
+    <message>
+        <source>In mm²; smaller ones are left out</source>
+        <translation>In mm²; kleinere werden weggelassen</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Hohl</translation>
+    </message>
+    <message>
+        <source>Only a wall along the contour is left</source>
+        <translation>Nur eine Wand entlang der Kontur bleibt</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Cuts a mesh into sections that follow its form.</source>
+        <translation>Schneidet ein Netz in Scheiben, die seiner Form folgen.</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>
@@ -5215,6 +5689,23 @@
         <source>%1 has nothing to divide: the section fits into a single cell.</source>
         <extracomment>%1 is the name of an operation</extracomment>
         <translation>%1 hat nichts zu teilen: Die Scheibe passt in eine einzige Zelle.</translation>
+    </message>
+    <message>
+        <source>%1 makes nothing: its template is gone or its file is missing.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ergibt nichts: Die Vorlage ist weg, oder ihre Datei fehlt.</translation>
+    </message>
+    <message>
+        <source>1 small piece of %1 was left out.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>1 kleines Stück von %1 wurde weggelassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n small pieces of %1 were left out.</source>
+        <translation>
+            <numerusform>1 kleines Stück von %1 wurde weggelassen.</numerusform>
+            <numerusform>%n kleine Stücke von %1 wurden weggelassen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5936,6 +6427,36 @@
         <source>Bring a left-out section back</source>
         <translation>Ausgelassene Scheibe wieder machen</translation>
     </message>
+    <message>
+        <source>Add template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Change template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 ändern</translation>
+    </message>
+    <message>
+        <source>Move template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Hide template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Show template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 einblenden</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -6425,6 +6946,42 @@
     <message>
         <source>Puts a weight on a section, in its middle or at X,Y in mm: &quot;Rib 4=350g&quot;, &quot;Rib 4@10,25=0.35kg&quot;. Can be repeated.</source>
         <translation>Setzt ein Gewicht auf eine Scheibe, in ihre Mitte oder bei X,Y in mm: „Rib 4=350g“, „Rib 4@10,25=0.35kg“. Beliebig oft.</translation>
+    </message>
+    <message>
+        <source>Faces: %1, shells: %2</source>
+        <translation>Flächen: %1, Hüllen: %2</translation>
+    </message>
+    <message>
+        <source>The plane does not cut it.</source>
+        <translation>Die Ebene schneidet es nicht.</translation>
+    </message>
+    <message>
+        <source>Hole: %1 mm², %2 points</source>
+        <translation>Loch: %1 mm², %2 Punkte</translation>
+    </message>
+    <message>
+        <source>Loop: %1 mm², %2 points</source>
+        <translation>Umriss: %1 mm², %2 Punkte</translation>
+    </message>
+    <message>
+        <source>Area: %1 mm²</source>
+        <translation>Fläche: %1 mm²</translation>
+    </message>
+    <message>
+        <source>A point of the plane and its normal, six numbers with commas.</source>
+        <translation>Ein Punkt der Ebene und ihre Normale, sechs Zahlen mit Kommas.</translation>
+    </message>
+    <message>
+        <source>Scales the mesh to this largest extent and stands it on the ground first.</source>
+        <translation>Bringt das Netz zuerst auf diese größte Ausdehnung und stellt es auf den Boden.</translation>
+    </message>
+    <message>
+        <source>--plane is missing.</source>
+        <translation>--plane fehlt.</translation>
+    </message>
+    <message>
+        <source>--plane: found &quot;%1&quot;, expected six numbers, of which the last three are a direction.</source>
+        <translation>--plane: &quot;%1&quot; gefunden, erwartet sind sechs Zahlen, die letzten drei davon eine Richtung.</translation>
     </message>
 </context>
 <context>
@@ -6973,6 +7530,10 @@
     <message>
         <source>Overwrite</source>
         <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>Netz hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -7875,7 +8436,7 @@
     </message>
     <message>
         <source>Set by hand; automatic is 50&#x202f;%. %1</source>
-        <translation>Von Hand eingestellt; von selbst 50 %. %1</translation>
+        <translation>Von Hand eingestellt; von selbst 50&#x202f;%. %1</translation>
     </message>
     <message>
         <source>Set by hand; the automatic setting can be restored</source>
@@ -8415,6 +8976,21 @@
     <message>
         <source>%1&#x202f;cm²</source>
         <translation>%1&#x202f;cm²</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::MeshImport</name>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Netze (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen …</translation>
     </message>
 </context>
 <context>
@@ -10630,6 +11206,105 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Bewegung %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>Safety factor %1</source>
+        <extracomment>in the legend of stress: %1 is the safety factor, such as 2</extracomment>
+        <translation>Sicherheitsfaktor %1</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TemplatesDock</name>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Add mesh…</source>
+        <translation>Netz hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Read a mesh to draw sections after it</source>
+        <translation>Ein Netz laden, um Scheiben danach zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Add a mesh, or drop one on the window: sections that you draw snap to where their planes cut it.</source>
+        <translation>Ein Netz hinzufügen oder auf das Fenster ziehen: gezeichnete Scheiben rasten ein, wo ihre Ebenen es schneiden.</translation>
+    </message>
+    <message>
+        <source>F2 renames, Space hides, L locks, Del removes.</source>
+        <translation>F2 benennt um, Leertaste blendet aus, L sperrt, Entf entfernt.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Middle X</source>
+        <translation>Mitte X</translation>
+    </message>
+    <message>
+        <source>Middle Y</source>
+        <translation>Mitte Y</translation>
+    </message>
+    <message>
+        <source>Middle Z</source>
+        <translation>Mitte Z</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>To the ground</source>
+        <translation>Auf den Boden</translation>
+    </message>
+    <message>
+        <source>Stand it on the ground</source>
+        <translation>Auf den Boden stellen</translation>
+    </message>
+    <message>
+        <source>Turn up</source>
+        <translation>Aufrichten</translation>
+    </message>
+    <message>
+        <source>Lay it on its other side: what is up in it is up in the view</source>
+        <translation>Auf die andere Seite legen: was darin oben ist, ist auch in der Ansicht oben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n triangles</source>
+        <translation>
+            <numerusform>%1: %n Dreieck</numerusform>
+            <numerusform>%1: %n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
     </message>
 </context>
 <context>

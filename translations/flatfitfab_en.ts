@@ -217,6 +217,13 @@
             <numerusform>%n pictures or meshes could not be read and were left out.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n meshes could not be read; their places were kept.</source>
+        <translation>
+            <numerusform>1 mesh could not be read; its place was kept.</numerusform>
+            <numerusform>%n meshes could not be read; their places were kept.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Hint</name>
@@ -264,6 +271,72 @@
     </message>
 </context>
 <context>
+    <name>Mesh</name>
+    <message numerus="yes">
+        <source>%n faces were left out: a corner of theirs is not there.</source>
+        <translation>
+            <numerusform>1 face was left out: a corner of it is not there.</numerusform>
+            <numerusform>%n faces were left out: a corner of theirs is not there.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: the place of a corner is no number.</source>
+        <translation>
+            <numerusform>1 face was left out: the place of a corner is no number.</numerusform>
+            <numerusform>%n faces were left out: the place of a corner is no number.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: they have a corner twice.</source>
+        <translation>
+            <numerusform>1 face was left out: it has a corner twice.</numerusform>
+            <numerusform>%n faces were left out: they have a corner twice.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces were left out: they are there twice.</source>
+        <translation>
+            <numerusform>1 face was left out: it is there twice.</numerusform>
+            <numerusform>%n faces were left out: they are there twice.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces looked the wrong way and were turned over.</source>
+        <translation>
+            <numerusform>1 face looked the wrong way and was turned over.</numerusform>
+            <numerusform>%n faces looked the wrong way and were turned over.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The surface has holes: %n edges are open.</source>
+        <translation>
+            <numerusform>The surface has a hole: 1 edge is open.</numerusform>
+            <numerusform>The surface has holes: %n edges are open.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>More than two faces meet at %n edges.</source>
+        <translation>
+            <numerusform>More than two faces meet at 1 edge.</numerusform>
+            <numerusform>More than two faces meet at %n edges.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edges faces meet that cannot look the same way.</source>
+        <translation>
+            <numerusform>At 1 edge faces meet that cannot look the same way.</numerusform>
+            <numerusform>At %n edges faces meet that cannot look the same way.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gaps in the cut were closed by smooth curves.</source>
+        <translation>
+            <numerusform>1 gap in the cut was closed by a smooth curve.</numerusform>
+            <numerusform>%n gaps in the cut were closed by smooth curves.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>OperationNotice</name>
     <message numerus="yes">
         <source>%1 stopped at %n sections.</source>
@@ -277,6 +350,13 @@
         <translation>
             <numerusform>%n section of %1 was left out, as there is nothing to hold it.</numerusform>
             <numerusform>%n sections of %1 were left out, as there is nothing to hold them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n small pieces of %1 were left out.</source>
+        <translation>
+            <numerusform>1 small piece of %1 was left out.</numerusform>
+            <numerusform>%n small pieces of %1 were left out.</numerusform>
         </translation>
     </message>
 </context>
@@ -683,6 +763,16 @@
         <translation>
             <numerusform>Make its %n section of</numerusform>
             <numerusform>Make its %n sections of</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TemplatesDock</name>
+    <message numerus="yes">
+        <source>%1: %n triangles</source>
+        <translation>
+            <numerusform>%1: %n triangle</numerusform>
+            <numerusform>%1: %n triangles</numerusform>
         </translation>
     </message>
 </context>

@@ -112,7 +112,7 @@ int runCut(const QStringList &arguments)
         {QStringLiteral("size"),
          tr("Scales the mesh to this largest extent and stands it on the ground first."),
          QStringLiteral("MM")});
-    parser.addOption({QStringLiteral("json"), tr("For machines.")});
+    parser.addOption({QStringLiteral("json"), tr("Prints JSON, for other programs.")});
     const Verb &verb = verbNamed("cut");
     const Arguments parsed = parse(parser, verb, arguments, 1);
     if (parsed.status)

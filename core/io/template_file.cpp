@@ -84,7 +84,7 @@ Result<TemplateMeshPointer> readTemplateMesh(const Template &one, const Document
     MeshOptions reading;
     reading.work = work;
     Result<LoadedMesh> mesh = failure(ErrorCode::BadArchive, one.name,
-                                      {QT_TRANSLATE_NOOP("Error", "its bytes are missing")});
+                                      {QT_TRANSLATE_NOOP("Error", "its data is missing")});
     if (const Blob *blob = document.findBlob(one.blob)) {
         reading.name = blob->name;
         mesh = readMeshBytes(*blob->bytes, reading);
