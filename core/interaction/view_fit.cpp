@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/templates/template_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,16 @@ void addOutline(const Model &model, std::size_t index, std::vector<Vec3> &points
     }
 }
 
+/// By the corners that are drawn in motion: as many as an outline needs.
+void addOutline(const Template &one, std::vector<Vec3> &points)
+{
+    const Similarity placement = one.placement();
+    const MeshSurface &surface =
+        one.mesh->coarse.corners.empty() ? one.mesh->surface : one.mesh->coarse;
+    for (const MeshSurface::Corner &corner : surface.corners)
+        points.push_back(placement({corner.position[0], corner.position[1], corner.position[2]}));
+}
+
 /// Along one direction of the screen, at a pixel's length of 1 in the camera's plane: how far the
 /// points reach to its two sides, as the room's sides would have to be seen from the eye.
 struct Reach
@@ -98,6 +109,9 @@ std::vector<Vec3> outlinePoints(const Model &model, const ViewState &view)
     for (std::size_t i = 0; i < model.sectionCount(); ++i)
         if (!view.isHidden(model.ref(i)))
             addOutline(model, i, points);
+    for (const TemplatePointer &one : model.document.templates)
+        if (!one->isHidden && one->mesh)
+            addOutline(*one, points);
     return points;
 }
 
