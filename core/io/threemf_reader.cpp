@@ -147,7 +147,7 @@ private:
         if (!parsed) {
             m_builder.fail(
                 ErrorCode::BadSyntax, whereIn(*known, parsed.offset),
-                {quoted(std::string_view(bytes).substr(std::min<std::size_t>(
+                {io::quoted(std::string_view(bytes).substr(std::min<std::size_t>(
                      std::size_t(std::max<std::ptrdiff_t>(parsed.offset, 0)), bytes.size()))),
                  QT_TRANSLATE_NOOP("Error", "XML")});
             return nullptr;
@@ -155,7 +155,7 @@ private:
         const pugi::xml_node model = known->document.document_element();
         if (std::strcmp(localOf(model.name()), "model") != 0) {
             fail(ErrorCode::BadSyntax, *known, model,
-                 {quoted(model.name()), QT_TRANSLATE_NOOP("Error", "a 3D model")});
+                 {io::quoted(model.name()), QT_TRANSLATE_NOOP("Error", "a 3D model")});
             return nullptr;
         }
         for (const pugi::xml_node &object : childOf(model, "resources").children())
@@ -171,7 +171,7 @@ private:
             if (unit == known.name)
                 return known.millimetres;
         fail(ErrorCode::BadValue, of, model,
-             {quoted(unit), QT_TRANSLATE_NOOP("Error", "a unit such as millimeter")});
+             {io::quoted(unit), QT_TRANSLATE_NOOP("Error", "a unit such as millimeter")});
         return 1.0;
     }
 
@@ -183,7 +183,7 @@ private:
         if (error == std::errc() && end == text.data() + text.size())
             return value;
         fail(ErrorCode::BadSyntax, of, node,
-             {quoted(text), QT_TRANSLATE_NOOP("Error", "a number")});
+             {io::quoted(text), QT_TRANSLATE_NOOP("Error", "a number")});
         return 0.0;
     }
 
@@ -202,7 +202,7 @@ private:
             const auto [next, error] = std::from_chars(at, end, value);
             if (error != std::errc()) {
                 fail(ErrorCode::BadSyntax, of, node,
-                     {quoted(text), QT_TRANSLATE_NOOP("Error", "twelve numbers")});
+                     {io::quoted(text), QT_TRANSLATE_NOOP("Error", "twelve numbers")});
                 return map;
             }
             at = next;
@@ -226,11 +226,11 @@ private:
         const std::string id = node.attribute("objectid").value();
         const auto found = where->objects.find(id);
         if (found == where->objects.end())
-            return fail(ErrorCode::UnknownReference, of, node, {quoted(id)});
+            return fail(ErrorCode::UnknownReference, of, node, {io::quoted(id)});
         if (depth > kMostNested || ++m_placed > kMostPlaced)
-            return fail(
-                ErrorCode::BadValue, of, node,
-                {quoted(id), QT_TRANSLATE_NOOP("Error", "an object that does not contain itself")});
+            return fail(ErrorCode::BadValue, of, node,
+                        {io::quoted(id),
+                         QT_TRANSLATE_NOOP("Error", "an object that does not contain itself")});
         const Eigen::Affine3d map = outer * transform(node, of);
         const pugi::xml_node object = found->second;
         if (const pugi::xml_node mesh = childOf(object, "mesh"))

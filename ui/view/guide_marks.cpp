@@ -7,10 +7,10 @@ namespace fff::ui {
 
 namespace {
 
-constexpr double kGuideWidth = 2.0, kCaughtMore = 0.5;    // px
-constexpr double kTickEvery = 10.0;                       // mm
-constexpr int kLongTick = 5;                              // every so many
-constexpr double kTick = 4.0, kLong = 7.0;                // px, to each side
+constexpr double kCutWidth = 2.0, kCaughtMore = 0.5;          // px
+constexpr double kGuideTickEvery = 10.0;                      // mm
+constexpr int kLongEvery = 5;                                 // every so many
+constexpr double kShortGuideTick = 4.0, kLongGuideTick = 7.0; // px, to each side
 constexpr double kLeastTickPixels = 5.0;                  // nearer to each other they are left out
 constexpr double kCaughtRadius = 6.0, kTurnoutHalf = 3.5; // px
 
@@ -32,14 +32,14 @@ void addTicks(const MarkPen &pen, const Frame &canvas, const Polygon &points, QP
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 &p = points[i], &q = points[(i + 1) % points.size()];
         const double length = (q - p).norm();
-        for (; length > 0.0 && next < along + length; next += kTickEvery, ++count) {
+        for (; length > 0.0 && next < along + length; next += kGuideTickEvery, ++count) {
             const QPointF at = pen.screen(canvas.toWorld(p + (next - along) / length * (q - p)));
             const QPointF way = pen.screen(canvas.toWorld(q)) - pen.screen(canvas.toWorld(p));
             const double pixels = std::hypot(way.x(), way.y());
-            if (pixels / length * kTickEvery < kLeastTickPixels)
+            if (pixels / length * kGuideTickEvery < kLeastTickPixels)
                 continue;
             const QPointF across = QPointF(-way.y(), way.x()) / pixels;
-            const double reach = count % kLongTick == 0 ? kLong : kTick;
+            const double reach = count % kLongEvery == 0 ? kLongGuideTick : kShortGuideTick;
             path.moveTo(at - reach * across);
             path.lineTo(at + reach * across);
         }
@@ -52,7 +52,7 @@ void addTicks(const MarkPen &pen, const Frame &canvas, const Polygon &points, QP
 void paintGuides(MarkPen &pen, const sign::Guides &guides)
 {
     const QColor &colour = pen.style().guide;
-    const double width = kGuideWidth + (guides.caught ? kCaughtMore : 0.0);
+    const double width = kCutWidth + (guides.caught ? kCaughtMore : 0.0);
     for (const sign::Guides::Loop &loop : guides.loops) {
         if (loop.points.empty())
             continue;
@@ -69,7 +69,7 @@ void paintGuides(MarkPen &pen, const sign::Guides &guides)
         pen.cased(line, stroke);
         QPainterPath ticks;
         addTicks(pen, guides.canvas, points, ticks);
-        pen.painter().strokePath(ticks, roundPen(colour, 0.7 * kGuideWidth));
+        pen.painter().strokePath(ticks, roundPen(colour, 0.7 * kCutWidth));
     }
     QPainter &painter = pen.painter();
     for (const Vec2 &turnout : guides.turnouts) {

@@ -18,7 +18,7 @@ using namespace fff::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 Document withMesh(const MeshDraft &draft)
 {
@@ -67,7 +67,7 @@ void TestSlices::aBallAlongEachAxis()
         for (int i = 0; i < 5; ++i) {
             const Section &slice = *model.section(static_cast<std::size_t>(i));
             const double at = (i - 2) * 20.0;
-            QVERIFY(std::abs(slice.shape->area() / (kPi * (2500.0 - at * at)) - 1.0) < 0.01);
+            QVERIFY(std::abs(slice.shape->area() / (kHalfTurn * (2500.0 - at * at)) - 1.0) < 0.01);
             Vec3 normal = Vec3::Zero();
             normal[axis] = 1.0;
             QVERIFY((slice.frame.normal() - normal).norm() < 1e-12);
@@ -94,7 +94,7 @@ void TestSlices::aroundAnAxis()
         withMesh(sphere(50.0, 120, 180)), {{"direction", std::string("radial")}, {"count", 6.0}}));
     QCOMPARE(model.sectionCount(), std::size_t(6));
     for (const SectionPointer &slice : model.sections()) {
-        QVERIFY(std::abs(slice->shape->area() / (kPi * 2500.0) - 1.0) < 0.01);
+        QVERIFY(std::abs(slice->shape->area() / (kHalfTurn * 2500.0) - 1.0) < 0.01);
         QVERIFY(std::abs(slice->frame.normal().y()) < 1e-12);
     }
 }
@@ -120,7 +120,7 @@ void TestSlices::hollowOnesKeepTheirWall()
         const Shape &shape = *model.section(static_cast<std::size_t>(i))->shape;
         const double at = (i - 2) * 20.0, r = std::sqrt(2500.0 - at * at);
         QCOMPARE(shape.holes().size(), std::size_t(1));
-        const double wanted = kPi * (r * r - (r - 12.0) * (r - 12.0));
+        const double wanted = kHalfTurn * (r * r - (r - 12.0) * (r - 12.0));
         QVERIFY2(std::abs(shape.area() / wanted - 1.0) < 0.02,
                  qPrintable(QString::number(shape.area() / wanted)));
     }

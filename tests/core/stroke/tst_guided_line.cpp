@@ -12,9 +12,9 @@ using namespace fff::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kReach = 12.7; // mm
-constexpr double kTolerance = 0.5;
+constexpr double kHalfTurn = std::numbers::pi;
+constexpr double kCatch = 12.7; // mm
+constexpr double kFitTolerance = 0.5;
 
 /// A guide as a cut of a mesh gives it: cubics along the outline.
 Contour guideOf(const Outline &outline)
@@ -27,7 +27,7 @@ std::shared_ptr<const Guides> guidesOf(const std::vector<Contour> &contours)
     auto guides = std::make_shared<Guides>();
     for (const Contour &contour : contours)
         guides->lines.emplace_back(CurvePath::around(contour));
-    guides->reach = kReach;
+    guides->reach = kCatch;
     return guides;
 }
 
@@ -35,7 +35,8 @@ StrokeContour contourOf(const Samples &samples, std::shared_ptr<const Guides> gu
                         std::vector<FreeSamples> free = {})
 {
     return strokeContour(
-        samples, {.tolerance = kTolerance, .guides = std::move(guides), .free = std::move(free)});
+        samples,
+        {.tolerance = kFitTolerance, .guides = std::move(guides), .free = std::move(free)});
 }
 
 /// A hand that goes along the outline from one place to another, so far off it as `off` says.
@@ -114,7 +115,7 @@ void TestGuidedLine::placesOnALine()
 {
     const Contour circle = guideOf(roundOutline(50, 50));
     const PathLocator guide(CurvePath::around(circle));
-    QVERIFY(std::abs(guide.length() - 2.0 * kPi * 50.0) < 0.1);
+    QVERIFY(std::abs(guide.length() - 2.0 * kHalfTurn * 50.0) < 0.1);
     for (int i = 0; i < 100; ++i) {
         const double a = 0.3 + 0.0618 * i;
         const auto place = guide.nearest(SloppyHand::way(a) * (45.0 + 0.1 * i), 20.0);
@@ -186,7 +187,7 @@ void TestGuidedLine::aPartLiesOnTheGuideAndPassesSmoothly()
             // It leaves without a corner, and stays near the hand.
             QVERIFY2(sharpestTurn(stroke.fitted) < 0.9,
                      qPrintable(QString::number(sharpestTurn(stroke.fitted))));
-            QVERIFY(furthest(stroke.guided->points, samples) < kReach);
+            QVERIFY(furthest(stroke.guided->points, samples) < kCatch);
             // The far end of what is free is the hand's.
             QVERIFY((stroke.guided->points.back() - samples.back()).norm() < 2.0);
         }
@@ -278,9 +279,9 @@ void TestGuidedLine::itHoldsALittleLonger()
         const GuidedLine line = guided(samples, {}, *guides);
         return line.turnouts.size();
     };
-    QCOMPARE(onGuides(0.9 * kReach), std::size_t(0));
-    QCOMPARE(onGuides(1.25 * kReach), std::size_t(0));
-    QCOMPARE(onGuides(1.35 * kReach), std::size_t(2));
+    QCOMPARE(onGuides(0.9 * kCatch), std::size_t(0));
+    QCOMPARE(onGuides(1.25 * kCatch), std::size_t(0));
+    QCOMPARE(onGuides(1.35 * kCatch), std::size_t(2));
 }
 
 /// Ten places on the way round are enough.

@@ -15,16 +15,16 @@ using namespace fff::test;
 
 namespace {
 
-TriangleMeshPointer meshOf(const MeshDraft &draft)
+TriangleMeshPointer shownMesh(const MeshDraft &draft)
 {
     return mended(draft).value().mesh;
 }
 
-Template templateOf(const MeshDraft &draft, UpAxis up = UpAxis::Y, double size = 0.0)
+Template shownTemplate(const MeshDraft &draft, UpAxis up = UpAxis::Y, double size = 0.0)
 {
     Template one;
     one.id = TemplateId{7};
-    one.mesh = makeTemplateMesh(meshOf(draft), {}).value();
+    one.mesh = makeTemplateMesh(shownMesh(draft), {}).value();
     return stood(one, *one.mesh, up, size);
 }
 
@@ -47,7 +47,7 @@ void TestThinnedMesh::fewerTrianglesOfTheSameForm()
 {
     for (const MeshDraft &draft :
          {sphere(50.0, 300, 500), head(300, 400), torus(60, 20, 400, 200)}) {
-        const TriangleMeshPointer mesh = meshOf(draft), coarse = thinned(mesh, 5000);
+        const TriangleMeshPointer mesh = shownMesh(draft), coarse = thinned(mesh, 5000);
         QVERIFY(coarse->triangles().size() < 9000);
         QVERIFY(coarse->triangles().size() > 1500);
         QVERIFY(std::abs(coarse->volume() / mesh->volume() - 1.0) < 0.03);
@@ -60,14 +60,14 @@ void TestThinnedMesh::fewerTrianglesOfTheSameForm()
 
 void TestThinnedMesh::smallOnesStay()
 {
-    const TriangleMeshPointer mesh = meshOf(cube(10.0));
+    const TriangleMeshPointer mesh = shownMesh(cube(10.0));
     QCOMPARE(thinned(mesh, 12), mesh);
     QVERIFY(!thinned(mesh, 3)->triangles().empty());
 }
 
 void TestThinnedMesh::aBallIsSmoothAndACubeIsNot()
 {
-    const TriangleMeshPointer ball = meshOf(sphere(50.0, 40, 60));
+    const TriangleMeshPointer ball = shownMesh(sphere(50.0, 40, 60));
     const MeshSurface smooth = surfaceOf(*ball);
     QCOMPARE(smooth.corners.size(), ball->positions().size());
     for (const MeshSurface::Corner &corner : smooth.corners) {
@@ -76,7 +76,7 @@ void TestThinnedMesh::aBallIsSmoothAndACubeIsNot()
         QVERIFY(std::abs(normal.norm() - 1.0) < 1e-5);
         QVERIFY(normal.dot(at.normalized()) > 0.99);
     }
-    const TriangleMeshPointer box = meshOf(cube(10.0));
+    const TriangleMeshPointer box = shownMesh(cube(10.0));
     const MeshSurface sharp = surfaceOf(*box);
     QCOMPARE(sharp.corners.size(), std::size_t(24)); // three at each of eight
     for (const MeshSurface::Corner &corner : sharp.corners) {
@@ -89,7 +89,7 @@ void TestThinnedMesh::faceOrderAndManyFacesAtAPoint()
 {
     // Every corner of every face is that vertex, whatever the normals; also where 400 faces meet.
     for (const MeshDraft &draft : {cube(10.0), sphere(50.0, 20, 400), head(30, 40)}) {
-        const TriangleMeshPointer mesh = meshOf(draft);
+        const TriangleMeshPointer mesh = shownMesh(draft);
         const MeshSurface surface = surfaceOf(*mesh);
         const Vec3 middle = 0.5 * (mesh->bounds().min + mesh->bounds().max);
         QCOMPARE(surface.indices.size(), 3 * mesh->triangles().size());
@@ -106,12 +106,12 @@ void TestThinnedMesh::faceOrderAndManyFacesAtAPoint()
 void TestThinnedMesh::howAMeshComesIn()
 {
     const MeshDraft tall = moved(box({0, 0, 0}, {10, 20, 40}), {500, 600, 700});
-    const Template asIs = templateOf(tall);
+    const Template asIs = shownTemplate(tall);
     Box3 box = worldBounds(asIs, *asIs.mesh);
     QVERIFY(std::abs(box.size().z() - kTemplateSize) < 1e-9); // no unit is known
     QVERIFY(std::abs(box.min.y()) < 1e-9);
     QVERIFY(std::abs(box.min.x() + box.max.x()) < 1e-9);
-    const Template upright = templateOf(tall, UpAxis::Z, 80.0);
+    const Template upright = shownTemplate(tall, UpAxis::Z, 80.0);
     box = worldBounds(upright, *upright.mesh);
     QVERIFY((box.size() - Vec3(20, 80, 40)).norm() < 1e-9);
     QVERIFY(std::abs(box.min.y()) < 1e-9);
@@ -120,14 +120,14 @@ void TestThinnedMesh::howAMeshComesIn()
     QVERIFY(upright.placement().turn.determinant() > 0.0);
     MeshDraft known = tall;
     known.unit = 1.0;
-    const Template sized = templateOf(known);
+    const Template sized = shownTemplate(known);
     QVERIFY((worldBounds(sized, *sized.mesh).size() - Vec3(10, 20, 40)).norm() < 1e-9);
 }
 
 // Wrong: guides would be beside the mesh that is seen, or run the wrong way round.
 void TestThinnedMesh::cutsAreWhereTheTemplateIs()
 {
-    Template one = templateOf(torus(60, 20, 200, 120), UpAxis::Z, 160.0);
+    Template one = shownTemplate(torus(60, 20, 200, 120), UpAxis::Z, 160.0);
     one.frame = makeFrame({30, 40, -10}, {0.8, 0.6, 0}, {0, 0.6, 0.8}).value();
     for (const bool isFlipped : {false, true}) {
         one.isFlipped = isFlipped;
