@@ -3,6 +3,7 @@
 #include "core/templates/guide_curve.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -34,6 +35,7 @@ Result<Contour> curveOf(const TemplateLoop &loop)
 {
     CutLoop flat;
     flat.isHole = loop.isHole;
+    flat.area = std::abs(signedArea(loop.points));
     for (const Vec2 &p : loop.points)
         flat.points.emplace_back(p.x(), p.y(), 0.0);
     return guideCurve(flat, Frame());
