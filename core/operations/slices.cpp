@@ -2,8 +2,9 @@
 
 #include "core/base/text.h"
 #include "core/base/tolerances.h"
-#include "core/geometry/offset.h"
+#include "core/geometry/boolean.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/raw_offset.h"
 #include "core/templates/template_cut.h"
 
 #include <algorithm>
@@ -39,18 +40,26 @@ Frame frameAcross(int axis)
     }
 }
 
+/// How far what is left within a wall may be off, mm: nothing has to fit there.
+constexpr double kRoomError = 0.02;
+
 /// What is left in a contour within a wall of this width: nothing where there is no room.
 std::vector<Contour> roomIn(const Contour &contour, double wall)
 {
-    // A frame around it grows inwards as it grows outwards.
-    Box2 box = bounds(contour.polygon(wall));
-    const Vec2 margin = Vec2::Constant(10.0 * wall) + box.size();
+    // Clockwise, its right is inside. What winds back there takes the frame's winding away, and
+    // where the offset has run over itself it adds to it.
+    const Result<RawOffset> inside =
+        rawOffset(contour.signedArea() > 0.0 ? contour.reversed() : contour, wall, kRoomError);
+    if (!inside)
+        return {};
+    const Box2 box = contour.bounds();
+    const Vec2 margin = Vec2::Constant(wall) + box.size();
     const Vec2 low = box.min - margin, high = box.max + margin;
-    CurvedRegion around;
-    around.outer = Contour::ofPolygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
-    around.holes = {contour.signedArea() > 0.0 ? contour.reversed() : contour};
-    Result<CurvedRegion> grown = grow(around, wall);
-    return grown ? std::move(grown->holes) : std::vector<Contour>();
+    const Contour frame = Contour::ofPolygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+    Result<std::vector<CurvedRegion>> regions =
+        windingRegions({frame, inside->contour}, WindingRule::NonZero, kRoomError);
+    return regions && !regions->empty() ? std::move(regions->front().holes)
+                                        : std::vector<Contour>();
 }
 
 class Slicer
