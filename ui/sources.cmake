@@ -144,6 +144,7 @@ target_sources(fff_ui PRIVATE
     window/main_tool_bar.cpp
     window/main_window.cpp
     window/main_window_commands.cpp
+    window/main_window_imports.cpp
     window/operation_notices.cpp
     window/script_player.cpp
     window/spoken_selection.cpp

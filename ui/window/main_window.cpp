@@ -24,7 +24,6 @@
 #include "ui/docks/templates_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/files/file_drop.h"
-#include "ui/files/mesh_import.h"
 #include "ui/files/recent_menu.h"
 #include "ui/files/unsaved_work.h"
 #include "ui/properties/open_editor.h"
@@ -294,39 +293,6 @@ void MainWindow::run(const QString &id)
         m_status->sayUndone(undone);
     else if (id == QStringLiteral("edit.redo") && history.index() > before)
         m_status->sayRedone(redone);
-}
-
-/// Asks which one.
-void MainWindow::importDrawing(const QString &command)
-{
-    if (const QString path = m_files->askForDrawing(); !path.isEmpty())
-        readDrawing(command, path);
-}
-
-void MainWindow::readDrawing(const QString &command, const QString &path)
-{
-    showDocument();
-    m_messages->hide(); // of the drawing before
-    m_bench->run(command, {{"path", path.toStdString()}});
-}
-
-/// Asks which one.
-void MainWindow::addMesh()
-{
-    if (const QString path = m_files->askForMesh(); !path.isEmpty())
-        readMesh(path);
-}
-
-void MainWindow::readMesh(const QString &path)
-{
-    showDocument();
-    m_messages->hide(); // of the file before
-    const MeshImported imported = importMesh(*this, *m_bench, path);
-    if (!imported.error.isEmpty())
-        m_messages->show(MessageBar::Severity::Error, {imported.error});
-    else if (!imported.remarks.isEmpty())
-        m_messages->show(MessageBar::Severity::Warning, {imported.remarks});
-    m_layout->show(m_templates);
 }
 
 void MainWindow::openFiles(const QStringList &paths)

@@ -1,0 +1,45 @@
+// What comes into the model that is shown from files of other programs.
+#include "ui/base/message_bar.h"
+#include "ui/bench/workbench.h"
+#include "ui/docks/templates_dock.h"
+#include "ui/files/document_files.h"
+#include "ui/files/mesh_import.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_layout.h"
+
+namespace fff::ui {
+
+/// Asks which one.
+void MainWindow::importDrawing(const QString &command)
+{
+    if (const QString path = m_files->askForDrawing(); !path.isEmpty())
+        readDrawing(command, path);
+}
+
+void MainWindow::readDrawing(const QString &command, const QString &path)
+{
+    showDocument();
+    m_messages->hide(); // of the drawing before
+    m_bench->run(command, {{"path", path.toStdString()}});
+}
+
+/// Asks which one.
+void MainWindow::addMesh()
+{
+    if (const QString path = m_files->askForMesh(); !path.isEmpty())
+        readMesh(path);
+}
+
+void MainWindow::readMesh(const QString &path)
+{
+    showDocument();
+    m_messages->hide(); // of the file before
+    const MeshImported imported = importMesh(*this, *m_bench, path);
+    if (!imported.error.isEmpty())
+        m_messages->show(MessageBar::Severity::Error, {imported.error});
+    else if (!imported.remarks.isEmpty())
+        m_messages->show(MessageBar::Severity::Warning, {imported.remarks});
+    m_layout->show(m_templates);
+}
+
+} // namespace fff::ui
