@@ -2422,7 +2422,7 @@
     </message>
     <message>
         <source>Add &amp;weight</source>
-        <translation>&amp;Gewicht hinzufügen</translation>
+        <translation>&amp;Gewicht setzen</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2874,7 +2874,7 @@
     </message>
     <message>
         <source>&amp;Mesh to draw over…</source>
-        <translation>&amp;Netz als Vorlage …</translation>
+        <translation>Ne&amp;tz als Vorlage …</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -2903,6 +2903,22 @@
     <message>
         <source>There is no template: add a mesh or a picture first</source>
         <translation>Es gibt keine Vorlage: erst ein Netz oder ein Bild hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Slices of a mesh</source>
+        <translation>&amp;Schnitte eines Netzes</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Cut a mesh that is drawn over into sections that follow it</source>
+        <translation>Ein Netz, über dem gezeichnet wird, in Scheiben schneiden, die ihm folgen</translation>
+    </message>
+    <message>
+        <source>There is no mesh to slice: add one first</source>
+        <translation>Es gibt kein Netz zum Schneiden: erst eines hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -9425,7 +9441,7 @@
     </message>
     <message>
         <source>Add weight</source>
-        <translation>Gewicht hinzufügen</translation>
+        <translation>Gewicht setzen</translation>
     </message>
     <message>
         <source>How strict</source>
@@ -10239,10 +10255,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Sicherheitsfaktor</translation>
     </message>
     <message>
-        <source>How many times its load a model has to bear before it is said to hold.</source>
-        <translation>So viele Male muss ein Modell seine Last tragen, damit es als haltbar gilt.</translation>
-    </message>
-    <message>
         <source>Notch factor, at most</source>
         <translation>Kerbfaktor, höchstens</translation>
     </message>
@@ -10265,6 +10277,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Beim Speichern die vorige Fassung der Datei behalten</translation>
+    </message>
+    <message>
+        <source>How many times its load a model has to hold before it counts as strong enough.</source>
+        <translation>So viele Male muss ein Modell seine Last tragen, damit es als fest genug gilt.</translation>
     </message>
 </context>
 <context>
@@ -11305,6 +11321,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Slices…</source>
+        <translation>Schnitte …</translation>
+    </message>
+    <message>
+        <source>Cut it into sections that follow it</source>
+        <translation>In Scheiben schneiden, die ihm folgen</translation>
     </message>
 </context>
 <context>

@@ -40,6 +40,9 @@ constexpr CommandWords kOperationWords[] = {
      FFF_TEXT("Command", "Repeat everything drawn once all round an axis")},
     {"operation.array", FFF_TEXT("Command", "Arra&y"), FFF_TEXT("Command", "Array"), "", "array",
      FFF_TEXT("Command", "Repeat sections along a line through space")},
+    {"operation.slices", FFF_TEXT("Command", "&Slices of a mesh"), FFF_TEXT("Command", "Slices"),
+     "", "slices",
+     FFF_TEXT("Command", "Cut a mesh that is drawn over into sections that follow it")},
     {"operation.symmetric", FFF_TEXT("Command", "Make symmetric &now"),
      FFF_TEXT("Command", "Symmetric"), "", "symmetry",
      FFF_TEXT("Command", "Mirror one side to the other, once")},
@@ -98,6 +101,16 @@ Step changeBetween(const Operation &before, const Operation &after,
     return step ? *std::move(step) : steps::changed(before);
 }
 
+/// By the parameter "template", else the last one; null: there is none.
+TemplatePointer templateNamed(const Document &document, const CommandParameters &parameters)
+{
+    const std::string *name = textOf(parameters, "template");
+    for (auto one = document.templates.rbegin(); one != document.templates.rend(); ++one)
+        if (!name || (*one)->name == *name)
+            return *one;
+    return nullptr;
+}
+
 class OperationCommands
 {
 public:
@@ -111,9 +124,18 @@ public:
                      double time) const
     {
         const Model &model = m_session.committed();
-        Result<Operation> operation = withParameters(model, kind, newOperation(kind), parameters);
+        CommandParameters said = parameters;
+        said.erase("template"); // which is no section
+        Result<Operation> operation = withParameters(model, kind, newOperation(kind), said);
         if (!operation)
             return tl::unexpected(operation.error());
+        if (kind.isOfTemplate) {
+            const TemplatePointer subject = templateNamed(model.document, parameters);
+            if (!subject)
+                return failure(ErrorCode::BadValue, "template", {"", "the name of a template"});
+            operation->subject = subject->id;
+            operation->stock = model.document.currentStock;
+        }
         takeSelected(model, kind, m_interaction.selection(), *operation);
         if (const InputSpec *missing = missingInput(kind, *operation)) {
             if (!parameters.empty())
@@ -331,11 +353,15 @@ void registerOperationCommands(CommandRegistry &registry, Session &session,
     const OperationCommands commands(session, interaction);
     for (const OperationKind *kind : operationKinds()) {
         const std::string id = std::string("operation.").append(kind->key);
+        const CommandRule rule =
+            kind->isOfTemplate
+                ? needs([&session] { return !session.committed().document.templates.empty(); },
+                        FFF_TEXT("Command", "There is no mesh to slice: add one first"))
+                : CommandRule();
         registry.add(id, {[commands, kind](const CommandParameters &parameters, double time) {
                               return commands.add(*kind, parameters, time);
                           },
-                          {},
-                          inHand(interaction, id)});
+                          rule, inHand(interaction, id)});
     }
     registry.add("operation.symmetric",
                  {[commands](const CommandParameters &parameters, double time) {

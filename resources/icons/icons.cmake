@@ -111,6 +111,7 @@ set(icon_names
     select_parallel
     settings
     show_all
+    slices
     snap
     start
     step_next

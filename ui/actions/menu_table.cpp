@@ -22,7 +22,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "file.save file.saveAs "
          "file.revert | fabricate.stocks file.export | file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"), "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate "
-                              "edit.mirror edit.delete | edit.selectAll | measure.ruler"},
+                              "edit.mirror edit.delete | edit.selectAll"},
         {QT_TR_NOOP("&View"), ">faces view.faceSelection view.fitAll | view.perspective view.xray "
                               "view.clip | view.isolate view.showAll | >panels view.fullScreen"},
         {QT_TR_NOOP("&Section"),
@@ -32,7 +32,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "operation.linear operation.revolve operation.blend operation.branch operation.grid "
          "operation.radial | operation.rotational operation.array"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.showAssembly | physics.addWeight "
-                                "check.stress physics.whereStrong"},
+                                "check.stress"},
         {QT_TR_NOOP("&Help"), "help.firstSteps edit.find help.start | help.about"},
 
         {QT_TR_NOOP("&Look from"),
@@ -56,7 +56,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
         {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain", kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "
-         "edit.selectPrevious measure.dimension measure.keep measure.remove mirror.x mirror.y "
+         "edit.selectPrevious measure.ruler measure.dimension measure.keep measure.remove mirror.x mirror.y "
          "mirror.z mirror.section mirror.copy mirror.always mirror.once mirror.apply "
          "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection",
          kSearchedMenu},
@@ -74,11 +74,11 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "point.symmetric point.corner joint.flip joint.reset",
          kSearchedMenu},
         {QT_TR_NOOP("&Operation"),
-         "operation.mirror operation.symmetric operation.switch operation.moveUp "
+         "operation.slices operation.mirror operation.symmetric operation.switch operation.moveUp "
          "operation.moveDown operation.editSource operation.detach operation.leaveOut "
          "operation.bake",
          kSearchedMenu},
-        {QT_TR_NOOP("&Checks"), "check.previousProblem physics.addPush physics.pull",
+        {QT_TR_NOOP("&Checks"), "check.previousProblem physics.whereStrong physics.addPush physics.pull",
          kSearchedMenu},
 
         {"",

@@ -291,7 +291,7 @@ void SettingsDialog::addStrength(SettingsForm &form)
     };
     tenths("settingsSafety", tr("Safety factor"), Settings::kMinSafety, Settings::kMaxSafety,
            settings().safetyFactor(), [](int factor) { settings().setSafetyFactor(factor); });
-    form.note(tr("How many times its load a model has to bear before it is said to hold."));
+    form.note(tr("How many times its load a model has to hold before it counts as strong enough."));
     tenths("settingsNotch", tr("Notch factor, at most"), Settings::kMinNotch, Settings::kMaxNotch,
            settings().notchFactor(), [](int factor) { settings().setNotchFactor(factor); });
     form.note(tr("How many times higher stress is taken to be at inner corners."));

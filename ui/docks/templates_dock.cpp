@@ -156,6 +156,14 @@ QWidget *TemplatesDock::makeFields()
     column->addWidget(m_group);
     column->addSpacing(8);
 
+    auto *slices = new QPushButton(themedIcon(QStringLiteral("slices")), tr("Slices…"), m_fields);
+    slices->setObjectName(QStringLiteral("templateSlices"));
+    slices->setToolTip(tr("Cut it into sections that follow it"));
+    slices->setAutoDefault(false);
+    connect(slices, &QPushButton::clicked, this, [this] {
+        if (const Template *one = chosen())
+            m_bench.run(QStringLiteral("operation.slices"), {{"template", one->name}});
+    });
     auto *buttons = new QHBoxLayout;
     for (const auto &[text, id, name, tip] :
          {std::tuple(tr("To the ground"), "template.toGround", "templateToGround",
@@ -173,6 +181,8 @@ QWidget *TemplatesDock::makeFields()
         buttons->addWidget(button);
     }
     column->addLayout(buttons);
+    column->addSpacing(6);
+    column->addWidget(slices);
     column->addStretch();
     area->setWidget(m_fields);
     return area;

@@ -72,9 +72,9 @@ void TestBrokenMeshes::saidClearly_data()
         std::string(stl).replace(80, 4, bytesOf(std::uint32_t(4'000'000'000))),
         "a.stl: found 4000000000 triangles, expected at most 50000000 triangles");
     row("STL without a triangle", "a.stl", stl.substr(0, 80) + bytesOf(std::uint32_t(0)),
-        "a.stl: nothing here, expected a mesh with at least one triangle");
+        "a.stl: found nothing, expected a mesh with at least one triangle");
     row("STL text without a triangle", "a.stl", "solid\nendsolid\n",
-        "a.stl: nothing here, expected a mesh");
+        "a.stl: found nothing, expected a mesh");
     row("STL text with a word for a number", "a.stl", brokenWith(text, "vertex -5", "vertex five"),
         "a.stl:4: found \"five\", expected a number");
     row("STL text with a decimal comma", "a.stl", brokenWith(text, "vertex -5", "vertex -5,5"),
@@ -87,12 +87,12 @@ void TestBrokenMeshes::saidClearly_data()
         "a.stl:8: found \"endfoo\", expected endfacet");
     row("STL text with a number too few", "a.stl",
         "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n",
-        "a.stl:4: nothing here, expected a number");
+        "a.stl:4: found nothing, expected a number");
     // OBJ
     row("OBJ without a face", "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\n",
-        "a.obj: nothing here, expected a mesh with at least one triangle");
+        "a.obj: found nothing, expected a mesh with at least one triangle");
     row("OBJ with a number too few", "a.obj", "v 0 0 0\nv 1 0\nv 1 1 0\nf 1 2 3\n",
-        "a.obj:2: nothing here, expected a number");
+        "a.obj:2: found nothing, expected a number");
     row("OBJ with a word for a number", "a.obj", "v 0 0 0\nv 1 x 0\n",
         "a.obj:2: found \"x\", expected a number");
     row("OBJ with a word for an index", "a.obj", "v 0 0 0\nf 1 2 x/1\n",
@@ -100,8 +100,8 @@ void TestBrokenMeshes::saidClearly_data()
     row("OBJ with a face of two corners", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n",
         "a.obj:3: found \"2\", expected at least three corners");
     row("OBJ whose faces name nothing", "a.obj", "v 0 0 0\nf 7 8 9\nf 0 0 0\nf -9 -8 -7\n",
-        "a.obj: nothing here, expected a mesh");
-    row("OBJ that is bytes", "a.obj", std::string("\0\1\2\3\4\5", 6), "a.obj: nothing here");
+        "a.obj: found nothing, expected a mesh");
+    row("OBJ that is bytes", "a.obj", std::string("\0\1\2\3\4\5", 6), "a.obj: found nothing");
     row("OBJ with a fraction for an index", "a.obj", "v 0 0 0\nf 1.5 2 3\n",
         "a.obj:2: found \"1.5\", expected a whole number");
     // OFF
@@ -121,7 +121,7 @@ void TestBrokenMeshes::saidClearly_data()
     row("OFF with a word among its vertices", "a.off", brokenWith(off, "\n-5 -5 -5", "\n-5 why -5"),
         "a.off:4: found \"why\", expected a number");
     row("OFF with a face that has too few corners", "a.off",
-        brokenWith(off, "3 0 2 3 ", "9 0 2 3 "), "a.off:12: nothing here, expected a whole number");
+        brokenWith(off, "3 0 2 3 ", "9 0 2 3 "), "a.off:12: found nothing, expected a whole number");
     // PLY
     row("PLY without an end of its head", "a.ply", ply.substr(0, 60),
         "a.ply:4: the file ends here, expected end_header");
@@ -164,7 +164,7 @@ void TestBrokenMeshes::saidClearly_data()
         threeMf(threeMfXml(draft, "inch", "<item objectid=\"7\"/>")),
         "a.3mf:3D/a.model:26: there is nothing with the number 7");
     row("3MF that builds nothing", "a.3mf", threeMf(threeMfXml(draft, "inch", "")),
-        "a.3mf: nothing here, expected a mesh");
+        "a.3mf: found nothing, expected a mesh");
     row("3MF with a word for a number", "a.3mf", threeMf(brokenWith(xml, "x=\"-5\"", "x=\"no\"")),
         "a.3mf:3D/a.model:4: found \"no\", expected a number");
     row("3MF with a short transform", "a.3mf",
@@ -181,7 +181,7 @@ void TestBrokenMeshes::saidClearly_data()
     row("glTF of version 1", "a.gltf", brokenWith(json, "\"2.0\"", "\"1.0\""),
         "a.gltf:$.asset.version: found \"1.0\", expected version 2 of glTF");
     row("glTF without meshes", "a.gltf", "{\"asset\":{\"version\":\"2.0\"}}",
-        "a.gltf: nothing here, expected a mesh");
+        "a.gltf: found nothing, expected a mesh");
     row("glTF with a compression", "a.gltf",
         brokenWith(json, "\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"),
         "a.gltf:$.extensionsRequired[0]: \"KHR_draco_mesh_compression\" is not supported");
@@ -204,7 +204,7 @@ void TestBrokenMeshes::saidClearly_data()
         "a.glb:byte 4: found \"7\", expected version 2 of GLB");
     row("GLB cut off", "a.glb", glb(gltfJson(draft, ""), gltfBuffer(draft)).substr(0, 100),
         "a.glb:byte 12: the file ends here, expected a chunk of a GLB file");
-    row("GLB that is a head only", "a.glb", "glTF", "a.glb:byte 4: nothing here");
+    row("GLB that is a head only", "a.glb", "glTF", "a.glb:byte 4: found nothing");
 }
 
 void TestBrokenMeshes::saidClearly()
