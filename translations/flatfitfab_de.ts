@@ -1135,6 +1135,11 @@
         <source>Pulled at</source>
         <translation>Auf Zug</translation>
     </message>
+    <message>
+        <source>%1 breaks %2 from %3.</source>
+        <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a mass</extracomment>
+        <translation>%1 bricht %2 ab %3.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -9008,6 +9013,11 @@
         <source>Reading %1…</source>
         <translation>%1 wird gelesen …</translation>
     </message>
+    <message>
+        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <extracomment>%1 is the name of a file, %2 a length</extracomment>
+        <translation>%1 kennt keine Einheit und wurde %2 groß gemacht. Die Größe steht unter Vorlagen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>
@@ -11260,18 +11270,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Middle X</source>
-        <translation>Mitte X</translation>
-    </message>
-    <message>
-        <source>Middle Y</source>
-        <translation>Mitte Y</translation>
-    </message>
-    <message>
-        <source>Middle Z</source>
-        <translation>Mitte Z</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Ausdehnung</translation>
     </message>
@@ -11286,10 +11284,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Stand it on the ground</source>
         <translation>Auf den Boden stellen</translation>
-    </message>
-    <message>
-        <source>Turn up</source>
-        <translation>Aufrichten</translation>
     </message>
     <message>
         <source>Lay it on its other side: what is up in it is up in the view</source>
@@ -11329,6 +11323,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cut it into sections that follow it</source>
         <translation>In Scheiben schneiden, die ihm folgen</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Position X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Position Y</translation>
+    </message>
+    <message>
+        <source>Position Z</source>
+        <translation>Position Z</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>its file is missing</source>
+        <translation>ihre Datei fehlt</translation>
+    </message>
+    <message>
+        <source>Stand upright</source>
+        <translation>Aufrichten</translation>
     </message>
 </context>
 <context>

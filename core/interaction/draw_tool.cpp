@@ -193,7 +193,7 @@ void DrawTool::mark(GestureContext &context, bool)
         sign::Rulers{ownGrid(m_canvas.target.canvas, context.camera.orientation)});
     lookAtTemplates(context);
     if (!m_stroke)
-        m_templates.show(nullptr, context.overlay.held);
+        m_templates.show(nullptr, true, context.overlay.held);
     if (m_canvas.distance && !m_stroke)
         context.overlay.held.add(planeMark(m_canvas.target.canvas, context));
 }

@@ -32,7 +32,8 @@ void StrokeGesture::followTemplates(const GestureContext &context)
 
 bool StrokeGesture::hasGuide() const
 {
-    return m_stroke.state() != Stroke::State::Slit && !m_templates.isEmpty();
+    return m_stroke.state() != Stroke::State::Slit &&
+           m_templates.canTake(m_ground ? m_stroke.slitLength() : 0.0);
 }
 
 /// In place of all that was drawn so far.
@@ -65,7 +66,7 @@ void StrokeGesture::addTemplates(Signs &signs) const
 {
     const bool isDrawing = m_stroke.state() == Stroke::State::Contour;
     const StrokeContour *contour = isDrawing ? &m_stroke.contour() : nullptr;
-    m_templates.show(contour && contour->guided ? &*contour->guided : nullptr, signs);
+    m_templates.show(contour && contour->guided ? &*contour->guided : nullptr, hasGuide(), signs);
 }
 
 } // namespace fff

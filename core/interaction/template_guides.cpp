@@ -2,6 +2,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment_distance.h"
+#include "core/interaction/stroke_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,9 @@
 namespace fff {
 
 namespace {
+
+/// From the guide to the words that offer it, px.
+const Vec2 kBesideGuide(110.0, -30.0);
 
 /// The stretch from (0, 0) to (length, 0) crosses this edge.
 bool crossesSlit(const Vec2 &p, const Vec2 &q, double length)
@@ -60,11 +64,16 @@ bool TemplateGuides::touches(const TemplateLoop &loop, double slitLength) const
     return locate(Vec2::Zero(), loop.points) != Side::Outside;
 }
 
-std::optional<TemplateGuides::Whole> TemplateGuides::whole(double slitLength) const
+std::vector<TemplateLoop>::const_iterator TemplateGuides::loopToTake(double slitLength) const
 {
-    const auto outer = std::find_if(m_loops.begin(), m_loops.end(), [&](const TemplateLoop &loop) {
+    return std::find_if(m_loops.begin(), m_loops.end(), [&](const TemplateLoop &loop) {
         return !loop.isHole && (slitLength <= 0.0 || touches(loop, slitLength));
     });
+}
+
+std::optional<TemplateGuides::Whole> TemplateGuides::whole(double slitLength) const
+{
+    const auto outer = loopToTake(slitLength);
     if (outer == m_loops.end())
         return std::nullopt;
     Result<Contour> contour = curveOf(*outer);
@@ -111,7 +120,7 @@ tl::expected<DrawnContour, Hint> drawWhole(const Document &document, const Conto
     return drawn;
 }
 
-void TemplateGuides::show(const GuidedLine *line, Signs &signs) const
+void TemplateGuides::show(const GuidedLine *line, bool isOffered, Signs &signs) const
 {
     if (m_loops.empty())
         return;
@@ -123,7 +132,18 @@ void TemplateGuides::show(const GuidedLine *line, Signs &signs) const
         if (line->isCaughtAtEnd)
             guides.caught = line->points.back();
     }
+    // Beside the largest one, where it reaches furthest.
+    const Polygon &largest = m_loops.front().points;
+    const auto furthest =
+        std::max_element(largest.begin(), largest.end(), [](const Vec2 &a, const Vec2 &b) {
+            return a.x() + a.y() < b.x() + b.y();
+        });
     signs.add(std::move(guides));
+    if (isOffered)
+        signs.add(sign::Label{SignRole::Offer,
+                              {m_canvas.toWorld(*furthest)},
+                              Message{hints::kTakeGuide, {}},
+                              kBesideGuide});
 }
 
 } // namespace fff

@@ -44,6 +44,8 @@ public:
     /// Of the largest loop that is touched by the slit, from the canvas' origin so far along x,
     /// with the holes in it; without a slit (0) of the largest of all.
     std::optional<Whole> whole(double slitLength) const;
+    /// Whether there is such a loop, without working it out.
+    bool canTake(double slitLength) const { return loopToTake(slitLength) != m_loops.end(); }
 
     /// A loop passes so near to the point, canvas coordinates, mm.
     bool isAt(const Vec2 &point, double reach) const;
@@ -54,11 +56,13 @@ public:
         return std::min(kGuideReach, kGuidePixels * millimetresPerPixel);
     }
 
-    /// line: what follows them so far, where there is one.
-    void show(const GuidedLine *line, Signs &signs) const;
+    /// line: what follows them so far, where there is one. isOffered: the whole of one can be
+    /// taken, which is said beside it.
+    void show(const GuidedLine *line, bool isOffered, Signs &signs) const;
 
 private:
     bool touches(const TemplateLoop &loop, double slitLength) const;
+    std::vector<TemplateLoop>::const_iterator loopToTake(double slitLength) const;
 
     Frame m_canvas;
     std::vector<TemplateLoop> m_loops; // of one template after the other, largest first

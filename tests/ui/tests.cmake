@@ -74,6 +74,7 @@ set(windows
     ui/tst_pens_and_fingers
     ui/tst_point_editing
     ui/tst_script_player
+    ui/tst_template_window
     ui/tst_transform_window
     ui/tst_weight_keys
     ui/window/tst_start_window)

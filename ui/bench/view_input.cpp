@@ -234,7 +234,15 @@ bool ViewInput::takesNumber(const QKeyEvent *event) const
 bool ViewInput::isBeforeShortcuts(const QKeyEvent *event) const
 {
     const std::optional<ToolKey> key = toolKey(event);
-    return (key && m_bench.wants(*key)) || takesNumber(event);
+    return (key && m_bench.wants(*key)) || takesNumber(event) || takesGuide(event);
+}
+
+/// While a stroke goes: actions, which are enabled when it is over, do not hear of it.
+bool ViewInput::takesGuide(const QKeyEvent *event) const
+{
+    return toolKey(event) == ToolKey::Enter &&
+           (event->modifiers() & ~Qt::KeypadModifier) == Qt::ShiftModifier &&
+           m_bench.interaction().hasGuide();
 }
 
 bool ViewInput::keyPress(QKeyEvent *event)
@@ -252,6 +260,10 @@ bool ViewInput::keyPress(QKeyEvent *event)
     if (const std::optional<ToolKey> key = toolKey(event); key && m_bench.wants(*key)) {
         m_bench.clock().observe(event->timestamp());
         m_bench.key(*key);
+        return true;
+    }
+    if (takesGuide(event)) {
+        m_bench.run(QStringLiteral("section.takeGuide"));
         return true;
     }
     if (takesNumber(event)) {

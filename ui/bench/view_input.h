@@ -67,6 +67,7 @@ private:
     PointerEvent pointer(PointerEvent::Type type, const QPointF &place, Qt::KeyboardModifiers keys,
                          quint64 time) const;
     bool takesNumber(const QKeyEvent *event) const;
+    bool takesGuide(const QKeyEvent *event) const;
     bool tellOfModifiers(QKeyEvent *event);
     bool nudge(QKeyEvent *event);
     bool changeMass(QKeyEvent *event);

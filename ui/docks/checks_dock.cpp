@@ -21,6 +21,7 @@
 #include <QAction>
 #include <QDesktopServices>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScopedValueRollback>
@@ -97,17 +98,16 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     foot->addWidget(m_stop);
     content->setBackgroundRole(QPalette::Base);
     content->setAutoFillBackground(true);
-    // Rows that move each time something is worked out are hard to read, and to hit.
-    QSizePolicy kept = m_footer->sizePolicy();
-    kept.setRetainSizeWhenHidden(true);
-    m_footer->setSizePolicy(kept);
+    // Over the rows: those that move each time something is worked out are hard to read, and to
+    // hit, and room that is kept for it is lost all the rest of the time.
+    m_footer->setBackgroundRole(QPalette::Base);
+    m_footer->setAutoFillBackground(true);
     m_footer->hide();
 
-    auto *column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_area, 1);
-    column->addWidget(m_footer);
+    auto *cell = new QGridLayout(content);
+    cell->setContentsMargins(0, 0, 0, 0);
+    cell->addWidget(m_area, 0, 0);
+    cell->addWidget(m_footer, 0, 0, Qt::AlignBottom);
     setWidget(content);
     content->setMinimumHeight(92);
 

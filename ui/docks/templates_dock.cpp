@@ -128,9 +128,9 @@ QWidget *TemplatesDock::makeFields()
                 steps::kChangeTemplate);
         },
         m_group));
-    const std::array<std::pair<QString, const char *>, 3> places{{{tr("Middle X"), "templateX"},
-                                                                  {tr("Middle Y"), "templateY"},
-                                                                  {tr("Middle Z"), "templateZ"}}};
+    const std::array<std::pair<QString, const char *>, 3> places{{{tr("Position X"), "templateX"},
+                                                                  {tr("Position Y"), "templateY"},
+                                                                  {tr("Position Z"), "templateZ"}}};
     for (int axis = 0; axis < 3; ++axis)
         add(new LengthRow(
             places[static_cast<std::size_t>(axis)].first,
@@ -143,6 +143,15 @@ QWidget *TemplatesDock::makeFields()
                        steps::kMoveTemplate);
             },
             m_group));
+    add(new TextRow(
+        tr("Triangles"), "templateTriangles",
+        [this] {
+            const Template *one = chosen();
+            return one && one->mesh ? locale().toString(static_cast<qlonglong>(
+                                          one->mesh->mesh->triangles().size()))
+                                    : tr("its file is missing");
+        },
+        m_group));
     add(new TextRow(
         tr("Extent"), "templateExtent",
         [this]() -> QString {
@@ -165,10 +174,11 @@ QWidget *TemplatesDock::makeFields()
             m_bench.run(QStringLiteral("operation.slices"), {{"template", one->name}});
     });
     auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(6);
     for (const auto &[text, id, name, tip] :
          {std::tuple(tr("To the ground"), "template.toGround", "templateToGround",
                      tr("Stand it on the ground")),
-          std::tuple(tr("Turn up"), "template.turnUp", "templateTurnUp",
+          std::tuple(tr("Stand upright"), "template.turnUp", "templateTurnUp",
                      tr("Lay it on its other side: what is up in it is up in the view"))}) {
         auto *button = new QPushButton(text, m_fields);
         button->setObjectName(QLatin1String(name));

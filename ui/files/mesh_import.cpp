@@ -5,6 +5,7 @@
 #include "core/io/template_file.h"
 #include "core/session/message_text.h"
 #include "core/session/template_commands.h"
+#include "ui/base/lengths.h"
 #include "ui/bench/workbench.h"
 #include "ui/files/progress.h"
 
@@ -60,10 +61,18 @@ MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
         return {};
     }
     if (!*loaded)
-        return {io::errorText(loaded->error()), {}};
+        return {io::errorText(loaded->error()), {}, {}};
     const MeshReport report = (*loaded)->made.mesh->report;
     bench.editSections(addedTemplate(bench.session().committed().document, **loaded));
-    return {{}, remarksOf(report)};
+    const Template &made = (*loaded)->made;
+    const QString size = lengthText(made.scale * made.mesh->mesh->size(), 1, 1, QLocale());
+    MeshImported imported{{}, remarksOf(report), {}};
+    if (!made.mesh->mesh->unit())
+        //: %1 is the name of a file, %2 a length
+        imported.sized = MeshTexts::tr("%1 knows no unit, so it was made %2 large. Templates has "
+                                       "its size.")
+                             .arg(name, size);
+    return imported;
 }
 
 } // namespace fff::ui

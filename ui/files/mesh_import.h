@@ -19,6 +19,7 @@ struct MeshImported
 {
     QString error;   // it was not read
     QString remarks; // what was mended in it
+    QString sized;   // what size it was given, where its file knows no unit
 };
 /// Does nothing where it is given up.
 MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path);

@@ -37,7 +37,7 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
                         "section.addShape"});
     m_ofDrawing = actions.action("section.addShape");
     m_ofSection = {actions.action("section.redraw"), actions.action("section.addHole")};
-    m_afterDrawing = addSeparator();
+    addSeparator();
     for (const char *id : kOperations)
         m_operations.push_back(actions.action(id));
     m_rotational = actions.action("operation.rotational");
@@ -52,7 +52,7 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
 
     auto *stretch = new QWidget(this);
     stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    addWidget(stretch);
+    m_stretch = addWidget(stretch);
     m_stock = new StockBox(m_bench, this);
     connect(m_stock, &StockBox::editorWanted, actions.action("fabricate.stocks"),
             &QAction::trigger);
@@ -85,13 +85,14 @@ void MainToolBar::placeOperations(bool hasButtons)
     m_repeatAction->setVisible(!hasButtons);
 }
 
-/// What is done to a section has its buttons while there is one to do it to.
+/// What is done to a section has its buttons while there is one to do it to: behind all others,
+/// which stay where they are.
 void MainToolBar::followSelection()
 {
     const bool isThere = m_bench.interaction().selection().size() == 1;
     if (isThere == actions().contains(m_ofSection.front()))
         return;
-    place(m_ofSection, isThere, m_afterDrawing);
+    place(m_ofSection, isThere, m_stretch);
     fold(window()->width());
 }
 

@@ -42,7 +42,7 @@ private:
     QAction *m_ofDrawing = nullptr;     // beside them
     QAction *m_rotational = nullptr;    // in the menu alone
     QToolButton *m_repeat = nullptr;
-    QAction *m_repeatAction = nullptr, *m_afterOperations = nullptr, *m_afterDrawing = nullptr;
+    QAction *m_repeatAction = nullptr, *m_afterOperations = nullptr, *m_stretch = nullptr;
 };
 
 } // namespace fff::ui

@@ -1,5 +1,6 @@
 // What comes into the model that is shown from files of other programs.
 #include "ui/base/message_bar.h"
+#include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/templates_dock.h"
 #include "ui/files/document_files.h"
@@ -40,6 +41,10 @@ void MainWindow::readMesh(const QString &path)
     else if (!imported.remarks.isEmpty())
         m_messages->show(MessageBar::Severity::Warning, {imported.remarks});
     m_layout->show(m_templates);
+    if (!imported.sized.isEmpty())
+        m_status->say(imported.sized);
+    if (imported.error.isEmpty())
+        m_bench->run(QStringLiteral("view.fitAll"));
 }
 
 } // namespace fff::ui

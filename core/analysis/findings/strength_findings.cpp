@@ -78,7 +78,15 @@ Message titledSentence(Message title, Message rest)
 Message limitsOf(const Held &held, const Model &model)
 {
     const BearableMass &bearable = held.bearable;
-    if (held.cracks && bearable.cracksFrom && held.breaks && bearable.breaksAt) {
+    const bool isBoth = held.cracks && bearable.cracksFrom && held.breaks && bearable.breaksAt;
+    // Where no corner makes it worse it cracks and breaks under the same.
+    if (isBoth && held.cracks->section == held.breaks->section &&
+        amountOf(held, *bearable.cracksFrom) == amountOf(held, *bearable.breaksAt))
+        //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a mass
+        return {FFF_TEXT("Checks", "%1 breaks %2 from %3."),
+                {nameOf(model, held.cracks->section), spotText(*held.cracks, model),
+                 amountOf(held, *bearable.cracksFrom)}};
+    if (isBoth) {
         const Message crack{
             //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a mass
             FFF_TEXT("Checks", "%1 may crack %2 from %3;"),

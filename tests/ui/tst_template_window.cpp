@@ -1,0 +1,87 @@
+// Drawing over a mesh in the window with real events: its list, its guides, and the key that takes
+// one whole while the button is held.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/model/template_edits.h"
+#include "core/templates/template_mesh.h"
+#include "tests/core/templates/made_meshes.h"
+#include "tests/test_program.h"
+#include "tests/ui/view_hand.h"
+#include "tests/ui/window_program.h"
+
+#include <QDockWidget>
+#include <QTreeWidget>
+
+using namespace fff;
+using namespace fff::ui;
+
+class TestTemplateWindow : public QObject, private ViewHand
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { openWindow(); }
+    void cleanup() { closeWindow(); }
+
+    void shiftEnterTakesTheGuideAcross();
+    void theListHidesLocksAndRemoves();
+
+private:
+    void addBall()
+    {
+        Template one;
+        one.name = "Ball";
+        one.file = "ball.stl";
+        one.mesh = makeTemplateMesh(mended(test::sphere(60.0, 60, 90)).value().mesh, {}).value();
+        one.frame.origin = {0.0, kFirstPlaneHeight, 0.0};
+        session().commit(QStringLiteral("Add"),
+                         addTemplate(session().committed().document, one).value());
+    }
+    const Template &ball() const { return *session().committed().document.templates.front(); }
+};
+
+// Wrong: actions are told of a guide when the stroke is over, and their key does nothing before.
+void TestTemplateWindow::shiftEnterTakesTheGuideAcross()
+{
+    drawFirst();
+    QCOMPARE(count(), std::size_t(1));
+    addBall();
+    pullSlit();
+    QVERIFY(interaction().hasGuide());
+    key(Qt::Key_Return, Qt::ShiftModifier);
+    QCOMPARE(count(), std::size_t(2));
+    QVERIFY(!interaction().hasGesture());
+    release(m_cursor);
+    QCOMPARE(count(), std::size_t(2));
+    for (const Vec2 &p : session().committed().section(1)->shape->contour().polygon(0.01)) {
+        const Vec3 at = session().committed().section(1)->frame.toWorld(p);
+        QVERIFY(std::abs((at - Vec3(0.0, kFirstPlaneHeight, 0.0)).norm() - 60.0) < 0.2);
+    }
+}
+
+void TestTemplateWindow::theListHidesLocksAndRemoves()
+{
+    addBall();
+    auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
+    dock->show();
+    dock->raise();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"));
+    QCOMPARE(tree->topLevelItemCount(), 1);
+    QCOMPARE(tree->topLevelItem(0)->text(0), QStringLiteral("Ball"));
+    tree->setCurrentItem(tree->topLevelItem(0));
+    tree->setFocus();
+    QTest::keyClick(tree, Qt::Key_Space);
+    QVERIFY(ball().isHidden);
+    QTest::keyClick(tree, Qt::Key_Space);
+    QVERIFY(!ball().isHidden);
+    QTest::keyClick(tree, Qt::Key_L);
+    QVERIFY(ball().isLocked);
+    QTest::keyClick(tree, Qt::Key_Delete);
+    QVERIFY(session().committed().document.templates.empty());
+    QCOMPARE(tree->topLevelItemCount(), 0);
+    session().history()->undo();
+    QCOMPARE(tree->topLevelItemCount(), 1);
+}
+
+FFF_TEST_WITH(TestTemplateWindow, runInWindowProgram<TestTemplateWindow>)
+#include "tst_template_window.moc"
