@@ -1264,14 +1264,6 @@
         <translation>Eigenschaften</translation>
     </message>
     <message>
-        <source>Hide all doc&amp;ks</source>
-        <translation>Alle Fensterte&amp;ile ausblenden</translation>
-    </message>
-    <message>
-        <source>Hide docks</source>
-        <translation>Teile ausblenden</translation>
-    </message>
-    <message>
         <source>Hide or show the panels at the sides</source>
         <translation>Die Leisten an den Seiten aus- oder einblenden</translation>
     </message>
@@ -2924,6 +2916,14 @@
     <message>
         <source>There is no mesh to slice: add one first</source>
         <translation>Es gibt kein Netz zum Schneiden: erst eines hinzufügen</translation>
+    </message>
+    <message>
+        <source>Hide all panels</source>
+        <translation>Alle Fensterteile ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide panels</source>
+        <translation>Fenster ausblenden</translation>
     </message>
 </context>
 <context>
@@ -9486,10 +9486,6 @@
         <translation>Festigkeit unbekannt: Für ein Material ist keine eingetragen. Trag sie unter Materialien ein.</translation>
     </message>
     <message>
-        <source>Up to date. Joints share the load; the worst way to share it counts.</source>
-        <translation>Aktuell. Verbindungen teilen sich die Last; die ungünstigste Teilung zählt.</translation>
-    </message>
-    <message>
         <source>Up to date. All forces balance.</source>
         <translation>Aktuell. Alle Kräfte sind im Gleichgewicht.</translation>
     </message>
@@ -9609,6 +9605,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a section to see what it can hold.</source>
         <translation>Eine Scheibe zeichnen, um zu sehen, was sie trägt.</translation>
+    </message>
+    <message>
+        <source>Up to date. Joints may share the load in many ways; the worst counts.</source>
+        <translation>Aktuell. Verbindungen können sich die Last auf viele Arten teilen; die ungünstigste zählt.</translation>
     </message>
 </context>
 <context>
@@ -10201,10 +10201,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Reihenfolge für den Zusammenbau suchen</translation>
     </message>
     <message>
-        <source>Sections only touch below</source>
-        <translation>Scheiben berühren sich nur unter</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -10291,6 +10287,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>How many times its load a model has to hold before it counts as strong enough.</source>
         <translation>So viele Male muss ein Modell seine Last tragen, damit es als fest genug gilt.</translation>
+    </message>
+    <message>
+        <source>Ignore overlaps below</source>
+        <translation>Überlappung zählt erst ab</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "core/interaction/mirror_tool.h"
 #include "core/interaction/section_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/baking.h"
 #include "core/operations/evaluate.h"

@@ -109,9 +109,12 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
 
 int countOf(const OperationResult &result)
 {
+    // What it makes of sections that are there is not counted with what it adds.
+    if (!result.sections.empty())
+        return static_cast<int>(result.sections.size());
     const auto changed = std::count_if(result.changed.begin(), result.changed.end(),
                                        [](const auto &change) { return change.second != nullptr; });
-    return static_cast<int>(std::ssize(result.sections) + changed);
+    return static_cast<int>(changed);
 }
 
 bool isFailure(const OperationNotice &notice)

@@ -16,7 +16,7 @@ QString kindName(const Operation &operation);
 QString valueText(const ParameterSpec &spec, const std::optional<ParameterValue> &value);
 /// A sentence or two: what is missing, or could not be made, and what can be done.
 QString noticeText(const OperationNotice &notice, const Operation &operation);
-/// How many sections it makes, and makes other ones of.
+/// How many sections it makes; of one that makes none, how many it makes other ones of.
 int countOf(const OperationResult &result);
 /// Whether it makes nothing because of that.
 bool isFailure(const OperationNotice &notice);

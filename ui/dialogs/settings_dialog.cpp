@@ -262,7 +262,7 @@ QWidget *SettingsDialog::makeChecks()
                       settings().shallowAngle(),
                       [](int angle) { settings().setShallowAngle(angle); });
     form->note(tr("The flatter two sections meet, the wider their slits have to be."));
-    form->number("settingsTouching", tr("Sections only touch below"),
+    form->number("settingsTouching", tr("Ignore overlaps below"),
                  {0.001 * Settings::kMinTouching, 0.001 * Settings::kMaxTouching, 0.1, 2, 4},
                  tr("mm"), 0.001 * settings().touching(), [](double value) {
                      settings().setTouching(static_cast<int>(std::lround(1000.0 * value)));

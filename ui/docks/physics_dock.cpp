@@ -370,7 +370,7 @@ void PhysicsDock::refreshState()
     }
     if (strength.equilibrium().indeterminacy() > 0 && !strength.isElastic)
         return say("check", theme().good,
-                   tr("Up to date. Joints share the load; the worst way to share it counts."));
+                   tr("Up to date. Joints may share the load in many ways; the worst counts."));
     QString words = tr("Up to date. All forces balance.");
     if (const auto bent = bentNow(scheduler); bent && bent->most >= kToldBending)
         //: the state of what is worked out, and a length

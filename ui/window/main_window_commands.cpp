@@ -62,7 +62,7 @@ constexpr CommandWords kWords[] = {
      "", "settings",
      FFF_TEXT("Command",
               "Go to the first field of the selection; in the view, Enter does the same")},
-    {"view.docks", FFF_TEXT("Command", "Hide all doc&ks"), FFF_TEXT("Command", "Hide docks"), "F9",
+    {"view.docks", FFF_TEXT("Command", "Hide all panels"), FFF_TEXT("Command", "Hide panels"), "F9",
      "docks", FFF_TEXT("Command", "Hide or show the panels at the sides")},
     {"view.fullScreen", FFF_TEXT("Command", "F&ull screen"), FFF_TEXT("Command", "Full screen"),
      "F11", "full_screen", FFF_TEXT("Command", "Fill the screen with the window")},
