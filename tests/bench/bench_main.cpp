@@ -221,7 +221,7 @@ int main(int argc, char **argv)
         return fail(io::errorText(measured.error()));
     const std::vector<Measurement> &rows = *measured;
     const std::vector<DrawingCost> drawings = drawingCosts(isWanted, kernel);
-    QTextStream(stdout) << QString::fromStdString(tables(rows, peer) + growthTable(drawings));
+    QTextStream(stdout) << QString::fromStdString(tables(rows, peer) + drawingTable(drawings));
     if (parser.isSet(QStringLiteral("json"))) {
         const auto written = io::writeFile(parser.value(QStringLiteral("json")), json(rows, peer));
         if (!written)

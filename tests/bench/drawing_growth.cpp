@@ -8,13 +8,13 @@
 #include "core/operations/evaluate.h"
 #include "core/session/session_commands.h"
 #include "core/session/session_host.h"
+#include "tests/bench/growth_table.h"
 #include "tests/bench/stopwatch.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTextStream>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -155,17 +155,11 @@ DrawingCost costOf(const DrawnCase &item, const QString &path)
     return cost;
 }
 
-struct Column
-{
-    const char *name;
-    double DrawingCost::*field;
-};
-
-constexpr std::array<Column, 5> kColumns{{{"read", &DrawingCost::read},
-                                          {"sections", &DrawingCost::sections},
-                                          {"holes", &DrawingCost::holes},
-                                          {"marks", &DrawingCost::marks},
-                                          {"command", &DrawingCost::command}}};
+constexpr std::array<GrowthColumn<DrawingCost>, 5> kColumns{{{"read", &DrawingCost::read},
+                                                             {"sections", &DrawingCost::sections},
+                                                             {"holes", &DrawingCost::holes},
+                                                             {"marks", &DrawingCost::marks},
+                                                             {"command", &DrawingCost::command}}};
 
 } // namespace
 
@@ -189,37 +183,9 @@ std::vector<DrawingCost> drawingCosts(const std::function<bool(const std::string
     return costs;
 }
 
-std::string growthTable(const std::vector<DrawingCost> &costs)
+std::string drawingTable(const std::vector<DrawingCost> &costs)
 {
-    if (costs.empty())
-        return {};
-    const bool inKernels = costs.front().kernel > 0.0;
-    std::string out = inKernels ? "Drawings, in kernels, and times the size before\n"
-                                : "Drawings, in milliseconds, and times the size before\n";
-    char cell[128];
-    std::snprintf(cell, sizeof cell, "%-42s", "drawing");
-    out += cell;
-    for (const Column &column : kColumns) {
-        std::snprintf(cell, sizeof cell, "  %10s       ", column.name);
-        out += cell;
-    }
-    for (std::size_t i = 0; i < costs.size(); ++i) {
-        std::snprintf(cell, sizeof cell, "\n%-42s", costs[i].name.c_str());
-        out += cell;
-        const bool isNext = i > 0 && costs[i].size > costs[i - 1].size;
-        for (const Column &column : kColumns) {
-            const auto valueOf = [&](const DrawingCost &cost) {
-                return cost.*column.field / (inKernels ? cost.kernel : 1.0);
-            };
-            std::snprintf(cell, sizeof cell, "  %10.4f", valueOf(costs[i]));
-            out += cell;
-            if (isNext)
-                std::snprintf(cell, sizeof cell, " × %5.1f",
-                              valueOf(costs[i]) / valueOf(costs[i - 1]));
-            out += isNext ? cell : "        ";
-        }
-    }
-    return out + "\n";
+    return growthTable("Drawings", kColumns, costs);
 }
 
 } // namespace fff::bench

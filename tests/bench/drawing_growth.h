@@ -30,6 +30,6 @@ std::vector<DrawingCost> drawingCosts(const std::function<bool(const std::string
 
 /// In kernels where they were run, and beside each cost how many times that of the size before it
 /// is.
-std::string growthTable(const std::vector<DrawingCost> &costs);
+std::string drawingTable(const std::vector<DrawingCost> &costs);
 
 } // namespace fff::bench

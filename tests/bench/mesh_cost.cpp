@@ -4,13 +4,13 @@
 #include "core/templates/guide_curve.h"
 #include "core/templates/magnetic_cut.h"
 #include "core/templates/vertex_normals.h"
+#include "tests/bench/growth_table.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/core/io/written_meshes.h"
 #include "tests/core/templates/made_meshes.h"
 
 #include <QTextStream>
 
-#include <array>
 #include <limits>
 
 namespace fff::bench {
@@ -37,8 +37,8 @@ MeshCost meshCost(int rows, int columns, int runs)
     for (Vec3 &p : draft.positions)
         p += 2.0 * Vec3(std::sin(0.2 * p.y()), std::sin(0.3 * p.z()), std::sin(0.25 * p.x()));
     MeshCost cost;
-    cost.triangles = draft.triangles.size();
-    cost.name = std::to_string(cost.triangles) + " triangles";
+    cost.size = draft.triangles.size();
+    cost.name = std::to_string(cost.size) + " triangles";
     io::MeshOptions options;
     options.name = "ring";
     {
@@ -90,19 +90,13 @@ MeshCost meshCost(int rows, int columns, int runs)
     return cost;
 }
 
-struct MeshColumn
-{
-    const char *name;
-    double MeshCost::*field;
-};
-
-constexpr std::array<MeshColumn, 7> kMeshColumns{{{"STL", &MeshCost::stl},
-                                                  {"OBJ", &MeshCost::obj},
-                                                  {"first cut", &MeshCost::first},
-                                                  {"tree", &MeshCost::tree},
-                                                  {"cut", &MeshCost::cut},
-                                                  {"guide", &MeshCost::guide},
-                                                  {"magnetic", &MeshCost::magnetic}}};
+constexpr std::array<GrowthColumn<MeshCost>, 7> kMeshColumns{{{"STL", &MeshCost::stl},
+                                                              {"OBJ", &MeshCost::obj},
+                                                              {"first cut", &MeshCost::first},
+                                                              {"tree", &MeshCost::tree},
+                                                              {"cut", &MeshCost::cut},
+                                                              {"guide", &MeshCost::guide},
+                                                              {"magnetic", &MeshCost::magnetic}}};
 
 } // namespace
 
@@ -121,35 +115,7 @@ std::vector<MeshCost> meshCosts(int runs, const std::optional<Kernel> &kernel)
 
 std::string meshTable(const std::vector<MeshCost> &costs)
 {
-    if (costs.empty())
-        return {};
-    const bool inKernels = costs.front().kernel > 0.0;
-    std::string out = inKernels ? "Meshes, in kernels, and times the size before\n"
-                                : "Meshes, in milliseconds, and times the size before\n";
-    char cell[128];
-    std::snprintf(cell, sizeof cell, "%-20s", "mesh");
-    out += cell;
-    for (const MeshColumn &column : kMeshColumns) {
-        std::snprintf(cell, sizeof cell, "  %10s       ", column.name);
-        out += cell;
-    }
-    for (std::size_t i = 0; i < costs.size(); ++i) {
-        std::snprintf(cell, sizeof cell, "\n%-20s", costs[i].name.c_str());
-        out += cell;
-        const bool isNext = i > 0 && costs[i].triangles > costs[i - 1].triangles;
-        for (const MeshColumn &column : kMeshColumns) {
-            const auto valueOf = [&](const MeshCost &cost) {
-                return cost.*column.field / (inKernels ? cost.kernel : 1.0);
-            };
-            std::snprintf(cell, sizeof cell, "  %10.4f", valueOf(costs[i]));
-            out += cell;
-            if (isNext)
-                std::snprintf(cell, sizeof cell, " × %5.1f",
-                              valueOf(costs[i]) / valueOf(costs[i - 1]));
-            out += isNext ? cell : "        ";
-        }
-    }
-    return out + "\n";
+    return growthTable("Meshes", kMeshColumns, costs);
 }
 
 } // namespace fff::bench

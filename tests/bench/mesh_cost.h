@@ -13,7 +13,7 @@ namespace fff::bench {
 struct MeshCost
 {
     std::string name;
-    std::size_t triangles = 0;
+    std::size_t size = 0;  // triangles
     double stl = 0.0;      // a binary STL to a mended mesh
     double obj = 0.0;      // an OBJ to the same
     double first = 0.0;    // a cut that looks at every triangle
