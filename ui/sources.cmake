@@ -131,6 +131,7 @@ target_sources(fff_ui PRIVATE
     properties/varying_rows.cpp
     settings/check_rules.cpp
     settings/settings.cpp
+    settings/settings_checks.cpp
     settings/system_wishes.cpp
     start/samples.cpp
     start/start_page.cpp

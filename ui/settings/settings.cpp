@@ -1,5 +1,6 @@
 #include "ui/settings/settings.h"
 
+#include "ui/settings/stored_values.h"
 #include "ui/settings/system_wishes.h"
 
 #include <QDir>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <utility>
 
 namespace fff::ui {
 
@@ -24,15 +24,6 @@ const QString kTurnTime = QStringLiteral("view/turnTime");
 const QString kMotion = QStringLiteral("view/motion");
 const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
-const QString kShallow = QStringLiteral("checks/shallowAngle");
-const QString kNotch = QStringLiteral("checks/notchFactor");
-const QString kLasting = QStringLiteral("checks/loadLasting");
-const QString kStressShown = QStringLiteral("checks/stressShown");
-const QString kSafety = QStringLiteral("checks/safetyFactor");
-const QString kColourSafe = QStringLiteral("display/colourSafeStress");
-const QString kBends = QStringLiteral("checks/bendsSections");
-const QString kTouching = QStringLiteral("checks/touching");
-const QString kPlanning = QStringLiteral("checks/planningTime");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
 const QString kBackup = QStringLiteral("files/backup");
 const QString kRecent = QStringLiteral("files/recent");
@@ -40,16 +31,9 @@ const QString kShortcuts = QStringLiteral("shortcuts");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
-constexpr int kTurnTimeDefault = 800;  // ms
-constexpr int kTurnAngleDefault = 90;  // degrees
-constexpr int kShallowDefault = 30;    // degrees
-constexpr int kTouchingDefault = 300;  // µm
-constexpr int kSafetyDefault = 20;     // tenths
-constexpr int kPlanningDefault = 1000; // ms
-constexpr int kAutosaveDefault = 10;   // s
-
-template <class Value>
-using Words = std::initializer_list<std::pair<Value, const char *>>;
+constexpr int kTurnTimeDefault = 800; // ms
+constexpr int kTurnAngleDefault = 90; // degrees
+constexpr int kAutosaveDefault = 10;  // s
 
 const Words<LengthUnit> kUnits = {
     {LengthUnit::Millimetre, "mm"}, {LengthUnit::Centimetre, "cm"}, {LengthUnit::Inch, "in"}};
@@ -80,43 +64,6 @@ const SwitchRow &rowOf(DrawingSwitch what)
 {
     return *std::find_if(std::begin(kSwitches), std::end(kSwitches),
                          [what](const SwitchRow &row) { return row.what == what; });
-}
-
-/// The first of `words` is the default.
-template <class Value>
-Value valueOf(const QVariant &stored, Words<Value> words)
-{
-    const QString text = stored.toString();
-    for (const auto &[value, word] : words) {
-        if (text == QLatin1String(word))
-            return value;
-    }
-    return words.begin()->first;
-}
-
-template <class Value>
-QString wordOf(Value value, Words<Value> words)
-{
-    for (const auto &[known, word] : words) {
-        if (known == value)
-            return QLatin1String(word);
-    }
-    return {};
-}
-
-int numberOf(const QVariant &stored, int least, int most, int byDefault)
-{
-    bool isNumber = false;
-    const int number = stored.toInt(&isNumber);
-    return isNumber ? std::clamp(number, least, most) : byDefault;
-}
-
-bool truthOf(const QVariant &stored, bool byDefault)
-{
-    const QString text = stored.toString();
-    return text == QStringLiteral("true")    ? true
-           : text == QStringLiteral("false") ? false
-                                             : byDefault;
 }
 
 QString ownFile()
@@ -292,130 +239,6 @@ void Settings::setNavigation(NavigationPreset preset)
         return;
     store(kNavigation, wordOf(preset, kNavigations));
     Q_EMIT drawingChanged();
-}
-
-int Settings::shallowAngle() const
-{
-    return numberOf(m_store.value(kShallow), kMinShallowAngle, kMaxShallowAngle, kShallowDefault);
-}
-
-void Settings::setShallowAngle(int degrees)
-{
-    degrees = std::clamp(degrees, kMinShallowAngle, kMaxShallowAngle);
-    if (degrees == shallowAngle())
-        return;
-    store(kShallow, degrees);
-    Q_EMIT checksChanged();
-}
-
-int Settings::touching() const
-{
-    return numberOf(m_store.value(kTouching), kMinTouching, kMaxTouching, kTouchingDefault);
-}
-
-void Settings::setTouching(int micrometres)
-{
-    micrometres = std::clamp(micrometres, kMinTouching, kMaxTouching);
-    if (micrometres == touching())
-        return;
-    store(kTouching, micrometres);
-    Q_EMIT checksChanged();
-}
-
-int Settings::safetyFactor() const
-{
-    return numberOf(m_store.value(kSafety), kMinSafety, kMaxSafety, kSafetyDefault);
-}
-
-void Settings::setSafetyFactor(int tenths)
-{
-    tenths = std::clamp(tenths, kMinSafety, kMaxSafety);
-    if (tenths == safetyFactor())
-        return;
-    store(kSafety, tenths);
-    Q_EMIT checksChanged();
-}
-
-int Settings::notchFactor() const
-{
-    return numberOf(m_store.value(kNotch), kMinNotch, kMaxNotch, kMaxNotch);
-}
-
-void Settings::setNotchFactor(int tenths)
-{
-    tenths = std::clamp(tenths, kMinNotch, kMaxNotch);
-    if (tenths == notchFactor())
-        return;
-    store(kNotch, tenths);
-    Q_EMIT checksChanged();
-}
-
-bool Settings::isLoadLasting() const
-{
-    return m_store.value(kLasting, false).toBool();
-}
-
-void Settings::setLoadLasting(bool isLasting)
-{
-    if (isLasting == isLoadLasting())
-        return;
-    store(kLasting, isLasting);
-    Q_EMIT checksChanged();
-}
-
-int Settings::stressShown() const
-{
-    constexpr int kUsual = 20; // as in the paper, section 4
-    return numberOf(m_store.value(kStressShown), kMinStressShown, kMaxStressShown, kUsual);
-}
-
-void Settings::setStressShown(int percent)
-{
-    percent = std::clamp(percent, kMinStressShown, kMaxStressShown);
-    if (percent == stressShown())
-        return;
-    store(kStressShown, percent);
-    Q_EMIT checksChanged();
-}
-
-bool Settings::isStressColourSafe() const
-{
-    return m_store.value(kColourSafe, false).toBool();
-}
-
-void Settings::setStressColourSafe(bool isSafe)
-{
-    if (isSafe == isStressColourSafe())
-        return;
-    store(kColourSafe, isSafe);
-    Q_EMIT colourSchemeChanged();
-}
-
-bool Settings::bendsSections() const
-{
-    return m_store.value(kBends, false).toBool();
-}
-
-void Settings::setBendsSections(bool bends)
-{
-    if (bends == bendsSections())
-        return;
-    store(kBends, bends);
-    Q_EMIT checksChanged();
-}
-
-int Settings::planningTime() const
-{
-    return numberOf(m_store.value(kPlanning), kMinPlanningTime, kMaxPlanningTime, kPlanningDefault);
-}
-
-void Settings::setPlanningTime(int milliseconds)
-{
-    milliseconds = std::clamp(milliseconds, kMinPlanningTime, kMaxPlanningTime);
-    if (milliseconds == planningTime())
-        return;
-    store(kPlanning, milliseconds);
-    Q_EMIT checksChanged();
 }
 
 int Settings::autosaveInterval() const
