@@ -45,10 +45,14 @@ void Interaction::takeGuide(double time)
     if (!hasGuide())
         return;
     GestureContext context = d->context();
+    GestureReply reply = d->gesture ? d->gesture->takeGuide(context) : d->tool->takeGuide(context);
+    const std::optional<Hint> why = reply.note;
     if (d->gesture)
-        d->take(d->gesture->takeGuide(context));
+        d->take(std::move(reply));
     else
-        d->takeFromTool(d->tool->takeGuide(context));
+        d->takeFromTool(std::move(reply));
+    if (why) // also while the stroke goes on
+        say(*why, time);
     d->update();
 }
 

@@ -156,7 +156,9 @@ struct Guides
         bool operator==(const Loop &) const = default;
     };
     Frame canvas;
-    std::vector<Loop> loops;
+    /// Each from where it is nearest to the canvas' origin on; the same ones as long as the canvas
+    /// stays. Never null.
+    std::shared_ptr<const std::vector<Loop>> loops;
     std::vector<Vec2> turnouts; // where what is drawn leaves one, or comes to it
     std::optional<Vec2> caught; // what is drawn follows one there
     bool operator==(const Guides &) const = default;

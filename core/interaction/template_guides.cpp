@@ -37,6 +37,29 @@ TemplateGuides::TemplateGuides(const Model &model, const Frame &canvas) : m_canv
         }
         std::move(loops.begin(), loops.end(), std::back_inserter(m_loops));
     }
+    prepareShown();
+}
+
+/// Once for a canvas: signs are made and painted with every move of the hand.
+void TemplateGuides::prepareShown()
+{
+    if (m_loops.empty())
+        return;
+    auto shown = std::make_shared<std::vector<sign::Guides::Loop>>();
+    for (const TemplateLoop &loop : m_loops) {
+        Polygon points = loop.points;
+        const auto nearest =
+            std::min_element(points.begin(), points.end(), [](const Vec2 &a, const Vec2 &b) {
+                return a.squaredNorm() < b.squaredNorm();
+            });
+        std::rotate(points.begin(), nearest, points.end());
+        shown->push_back({std::move(points), loop.isHole});
+    }
+    m_shown = std::move(shown);
+    const Polygon &largest = m_loops.front().points;
+    m_beside = *std::max_element(largest.begin(), largest.end(), [](const Vec2 &a, const Vec2 &b) {
+        return a.x() + a.y() < b.x() + b.y();
+    });
 }
 
 const Template *TemplateGuides::followed(const Document &document) const
@@ -124,24 +147,16 @@ void TemplateGuides::show(const GuidedLine *line, bool isOffered, Signs &signs) 
 {
     if (m_loops.empty())
         return;
-    sign::Guides guides{m_canvas, {}, {}, {}};
-    for (const TemplateLoop &loop : m_loops)
-        guides.loops.push_back({loop.points, loop.isHole});
+    sign::Guides guides{m_canvas, m_shown, {}, {}};
     if (line) {
         guides.turnouts = line->turnouts;
         if (line->isCaughtAtEnd)
             guides.caught = line->points.back();
     }
-    // Beside the largest one, where it reaches furthest.
-    const Polygon &largest = m_loops.front().points;
-    const auto furthest =
-        std::max_element(largest.begin(), largest.end(), [](const Vec2 &a, const Vec2 &b) {
-            return a.x() + a.y() < b.x() + b.y();
-        });
     signs.add(std::move(guides));
     if (isOffered)
         signs.add(sign::Label{SignRole::Offer,
-                              {m_canvas.toWorld(*furthest)},
+                              {m_canvas.toWorld(m_beside)},
                               Message{hints::kTakeGuide, {}},
                               kBesideGuide});
 }

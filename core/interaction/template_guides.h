@@ -61,10 +61,13 @@ public:
     void show(const GuidedLine *line, bool isOffered, Signs &signs) const;
 
 private:
+    void prepareShown();
     bool touches(const TemplateLoop &loop, double slitLength) const;
     std::vector<TemplateLoop>::const_iterator loopToTake(double slitLength) const;
 
     Frame m_canvas;
+    std::shared_ptr<const std::vector<sign::Guides::Loop>> m_shown; // the same, as they are seen
+    Vec2 m_beside = Vec2::Zero();      // where the largest reaches furthest to the right and up
     std::vector<TemplateLoop> m_loops; // of one template after the other, largest first
 };
 

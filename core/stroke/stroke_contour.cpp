@@ -29,6 +29,8 @@ constexpr double kFittedExtent = 16.0, kFinestFit = 0.4;
 /// What it takes to close a segment, and to take one apart where the contour crosses itself, in
 /// samples.
 constexpr std::size_t kSegmentWork = 150, kCrossingWork = 2000;
+/// To find where on a guide a point is, in the same.
+constexpr std::size_t kGuidedWork = 4;
 /// Segments of a contour that is looked at closely where it crosses itself.
 constexpr int kCloselyResolved = 50;
 
@@ -204,8 +206,10 @@ void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, doubl
 {
     if (options.axis)
         stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
-    if (options.guides)
+    if (options.guides) {
         stroke.guided = guided(meant.points(), freePoints(meant, options.free), *options.guides);
+        stroke.work += kGuidedWork * meant.points().size();
+    }
     if (stroke.guided && stroke.guided->whole) {
         const PathLocator &guide = options.guides->lines[*stroke.guided->whole];
         stroke.fitted = guide.piece(0.0, guide.length());

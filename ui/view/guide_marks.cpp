@@ -14,17 +14,6 @@ constexpr double kShortGuideTick = 4.0, kLongGuideTick = 7.0; // px, to each sid
 constexpr double kLeastTickPixels = 5.0;                  // nearer to each other they are left out
 constexpr double kCaughtRadius = 6.0, kTurnoutHalf = 3.5; // px
 
-/// From the point that is nearest to the origin on.
-Polygon fromOrigin(Polygon points)
-{
-    const auto nearest =
-        std::min_element(points.begin(), points.end(), [](const Vec2 &a, const Vec2 &b) {
-            return a.squaredNorm() < b.squaredNorm();
-        });
-    std::rotate(points.begin(), nearest, points.end());
-    return points;
-}
-
 void addTicks(const MarkPen &pen, const Frame &canvas, const Polygon &points, QPainterPath &path)
 {
     double along = 0.0, next = 0.0;
@@ -53,10 +42,10 @@ void paintGuides(MarkPen &pen, const sign::Guides &guides)
 {
     const QColor &colour = pen.style().guide;
     const double width = kCutWidth + (guides.caught ? kCaughtMore : 0.0);
-    for (const sign::Guides::Loop &loop : guides.loops) {
+    for (const sign::Guides::Loop &loop : *guides.loops) {
         if (loop.points.empty())
             continue;
-        const Polygon points = fromOrigin(loop.points);
+        const Polygon &points = loop.points;
         QPainterPath line(pen.screen(guides.canvas.toWorld(points.front())));
         for (std::size_t i = 1; i < points.size(); ++i)
             line.lineTo(pen.screen(guides.canvas.toWorld(points[i])));

@@ -120,9 +120,9 @@ void TestTemplateStrokes::aSectionAcrossFollowsIt()
     QVERIFY(guidesShown(desk));
     QVERIFY(desk.interaction.hasGuide());
     const sign::Guides guides = *guidesShown(desk);
-    QCOMPARE(guides.loops.size(), std::size_t(1));
+    QCOMPARE(guides.loops->size(), std::size_t(1));
     // Along it from where it is nearest, all round.
-    Polygon loop = guides.loops[0].points;
+    Polygon loop = guides.loops->front().points;
     const auto start =
         std::min_element(loop.begin(), loop.end(), [&](const Vec2 &a, const Vec2 &b) {
             const Vec2 end(32.0, 0.0);
@@ -201,7 +201,7 @@ void TestTemplateStrokes::aPlaneIsTakenWithAClick()
     QVERIFY(desk.interaction.hasGuide());
     const sign::Guides *guides = desk.interaction.overlay().held.find<sign::Guides>();
     QVERIFY(guides);
-    desk.click(desk.screen(guides->canvas.toWorld(guides->loops[0].points[7])));
+    desk.click(desk.screen(guides->canvas.toWorld(guides->loops->front().points[7])));
     QCOMPARE(desk.sections().size(), std::size_t(1));
 }
 
