@@ -9018,6 +9018,11 @@
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 kennt keine Einheit und wurde %2 groß gemacht. Die Größe steht unter Vorlagen.</translation>
     </message>
+    <message>
+        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <extracomment>%1 is the name of a file, %2 a length</extracomment>
+        <translation>%1 ist zu groß für ein Modell und wurde daher %2 groß gemacht. Die Größe steht unter Vorlagen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>

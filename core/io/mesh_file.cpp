@@ -66,6 +66,14 @@ Error withPlace(Error error, const std::string &name)
     return error;
 }
 
+Result<LoadedMesh> readMeshKeeping(std::string bytes, const MeshOptions &options)
+{
+    Result<LoadedMesh> loaded = readMeshBytes(bytes, options);
+    if (loaded)
+        loaded->bytes = std::move(bytes);
+    return loaded;
+}
+
 } // namespace
 
 Result<LoadedMesh> readMeshBytes(std::string_view bytes, const MeshOptions &options)
@@ -83,7 +91,7 @@ Result<LoadedMesh> readMeshBytes(std::string_view bytes, const MeshOptions &opti
     Result<MendedMesh> mesh = mended(*std::move(draft), partOf(options.work, kReadingShare, 1.0));
     if (!mesh)
         return tl::unexpected(withPlace(mesh.error(), options.name));
-    return LoadedMesh{std::move(mesh->mesh), mesh->report, *format};
+    return LoadedMesh{std::move(mesh->mesh), mesh->report, *format, {}};
 }
 
 Result<LoadedMesh> readMesh(const QString &path, MeshOptions options)
@@ -97,8 +105,10 @@ Result<LoadedMesh> readMesh(const QString &path, MeshOptions options)
         };
     // Pipes and what cannot be opened are as with other files.
     if (!info.isFile()) {
-        const Result<std::string> bytes = readFile(path, options.name);
-        return bytes ? readMeshBytes(*bytes, options) : tl::unexpected(bytes.error());
+        Result<std::string> bytes = readFile(path, options.name);
+        if (!bytes)
+            return tl::unexpected(std::move(bytes.error()));
+        return readMeshKeeping(*std::move(bytes), options);
     }
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -117,7 +127,7 @@ Result<LoadedMesh> readMesh(const QString &path, MeshOptions options)
     if (rest < 0)
         return failure(ErrorCode::CannotOpen, options.name, {file.errorString().toStdString()});
     bytes.resize(static_cast<std::size_t>(head + rest));
-    return readMeshBytes(bytes, options);
+    return readMeshKeeping(std::move(bytes), options);
 }
 
 } // namespace fff::io

@@ -10,6 +10,7 @@ struct LoadedMesh
     TriangleMeshPointer mesh;
     MeshReport report;
     const MeshFormat *format = nullptr;
+    std::string bytes; // of the file, of readMesh() alone
 };
 
 /// Largest file of a mesh, bytes: one of 50 million triangles in most formats.
@@ -21,7 +22,7 @@ inline constexpr std::int64_t kMostMeshBytes = std::int64_t(3) << 30;
 /// Errors  CannotOpen, BadCount, those of meshFormatOf(), of the format and of mended().
 Result<LoadedMesh> readMesh(const QString &path, MeshOptions options = {});
 
-/// The same of bytes that are there.
+/// The same of bytes that are there, and that stay with the caller.
 Result<LoadedMesh> readMeshBytes(std::string_view bytes, const MeshOptions &options);
 
 } // namespace fff::io

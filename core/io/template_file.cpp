@@ -8,7 +8,6 @@
 #include "core/model/template_edits.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 
 #include <map>
@@ -24,27 +23,22 @@ UpAxis usualUpAxis(const MeshFormat &format)
     return key == "stl" || key == "3mf" ? UpAxis::Z : UpAxis::Y;
 }
 
-/// The bytes themselves; of a format that may be spread over several files the mesh as one.
-Result<BlobPointer> blobOf(const QString &path, const LoadedMesh &mesh)
+/// The bytes that were read; of a format that may be spread over several files the mesh as one.
+BlobPointer blobOf(LoadedMesh &mesh, const std::string &name)
 {
-    const std::string name = QFileInfo(path).fileName().toStdString();
-    const auto mediaType = [](const char *key) { return std::string("model/") + key; };
-    if (mesh.format == &gltfMeshFormat())
-        return makeBlob(plyBytes(*mesh.mesh), mediaType(plyMeshFormat().key), name);
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::CannotOpen, name, {file.errorString().toStdString()});
-    return makeBlob(file.readAll().toStdString(), mediaType(mesh.format->key), name);
+    const bool isSpread = mesh.format == &gltfMeshFormat();
+    const MeshFormat &format = isSpread ? plyMeshFormat() : *mesh.format;
+    std::string bytes = isSpread ? plyBytes(*mesh.mesh) : std::move(mesh.bytes);
+    return makeBlob(std::move(bytes), std::string("model/") + format.key, name);
 }
 
 } // namespace
 
-Document LoadedTemplate::addedTo(Document document) const
+Result<Document> LoadedTemplate::addedTo(Document document) const
 {
     if (blob)
         document = addBlob(std::move(document), blob);
-    Result<Document> next = addTemplate(document, made);
-    return next ? *std::move(next) : document;
+    return addTemplate(std::move(document), made);
 }
 
 Result<LoadedTemplate> readTemplateFile(const QString &path, const TemplateFileOptions &options)
@@ -59,12 +53,8 @@ Result<LoadedTemplate> readTemplateFile(const QString &path, const TemplateFileO
         return tl::unexpected(std::move(mesh.error()));
     const UpAxis up = options.up.value_or(usualUpAxis(*mesh->format));
     LoadedTemplate loaded;
-    if (!options.isByReference) {
-        Result<BlobPointer> blob = blobOf(path, *mesh);
-        if (!blob)
-            return tl::unexpected(std::move(blob.error()));
-        loaded.blob = *std::move(blob);
-    }
+    if (!options.isByReference)
+        loaded.blob = blobOf(*mesh, reading.name);
     Result<TemplateMeshPointer> ready =
         makeTemplateMesh(std::move(mesh->mesh), std::move(mesh->report), options.work);
     if (!ready)

@@ -25,7 +25,8 @@ struct LoadedTemplate
 {
     Template made;
     BlobPointer blob; // null by reference
-    Document addedTo(Document document) const;
+    /// Errors  those of addTemplate().
+    Result<Document> addedTo(Document document) const;
 };
 
 /// Errors  CannotOpen; those of the readers (mesh_formats.h); BadCount, above mostTriangles.

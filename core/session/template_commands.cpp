@@ -44,15 +44,24 @@ public:
             return tl::unexpected(size.error());
         if (!isByReference)
             return tl::unexpected(isByReference.error());
+        if (textOf(parameters, "size") && !(*size > 0.0))
+            return failure(ErrorCode::BadValue, "size",
+                           {*textOf(parameters, "size"), "a length above 0 mm"});
         options.size = *size;
         options.isByReference = *isByReference;
-        if (const std::string *up = textOf(parameters, "up"))
+        if (const std::string *up = textOf(parameters, "up")) {
+            if (*up != "y" && *up != "z")
+                return failure(ErrorCode::BadValue, "up", {*up, "y or z"});
             options.up = *up == "z" ? UpAxis::Z : UpAxis::Y;
+        }
         const Result<io::LoadedTemplate> loaded =
             io::readTemplateFile(QString::fromStdString(*file), options);
         if (!loaded)
             return tl::unexpected(loaded.error());
-        m_interaction.carryOut(addedTemplate(m_session.committed().document, *loaded), time);
+        Result<EditedSections> added = addedTemplate(m_session.committed().document, *loaded);
+        if (!added)
+            return tl::unexpected(std::move(added.error()));
+        m_interaction.carryOut(SectionEdit(*std::move(added)), time);
         return {};
     }
 
@@ -86,11 +95,7 @@ public:
         }
         if (const std::string *name = textOf(parameters, "name"))
             one->name = *name;
-        if (const auto next = setTemplate(m_session.committed().document, *one); !next)
-            return tl::unexpected(next.error());
-        m_interaction.carryOut(
-            changedTemplate(m_session.committed().document, *one, steps::kChangeTemplate), time);
-        return {};
+        return commit(*std::move(one), steps::kChangeTemplate, time);
     }
 
     Result<void> remove(const CommandParameters &parameters, double time) const
@@ -134,9 +139,16 @@ private:
             return tl::unexpected(one.error());
         if (!one->mesh)
             return failure(ErrorCode::BadValue, "template", {one->name, "a mesh that is there"});
-        m_interaction.carryOut(
-            changedTemplate(m_session.committed().document, change(*one), steps::kMoveTemplate),
-            time);
+        return commit(change(*one), steps::kMoveTemplate, time);
+    }
+
+    Result<void> commit(const Template &changed, Text step, double time) const
+    {
+        Result<EditedSections> edit =
+            changedTemplate(m_session.committed().document, changed, step);
+        if (!edit)
+            return tl::unexpected(std::move(edit.error()));
+        m_interaction.carryOut(SectionEdit(*std::move(edit)), time);
         return {};
     }
 
@@ -160,17 +172,21 @@ private:
 
 } // namespace
 
-SectionEdit addedTemplate(const Document &document, const io::LoadedTemplate &loaded)
+Result<EditedSections> addedTemplate(const Document &document, const io::LoadedTemplate &loaded)
 {
-    Document next = loaded.addedTo(document);
-    const std::string name = next.templates.back()->name;
-    return EditedSections{std::move(next), {steps::kAddTemplate, {Named{name}}}};
+    Result<Document> next = loaded.addedTo(document);
+    if (!next)
+        return tl::unexpected(std::move(next.error()));
+    const std::string name = next->templates.back()->name;
+    return EditedSections{*std::move(next), {steps::kAddTemplate, {Named{name}}}};
 }
 
-SectionEdit changedTemplate(const Document &document, const Template &changed, Text step)
+Result<EditedSections> changedTemplate(const Document &document, const Template &changed, Text step)
 {
     Result<Document> next = setTemplate(document, changed);
-    return EditedSections{next ? *std::move(next) : document, {step, {Named{changed.name}}}};
+    if (!next)
+        return tl::unexpected(std::move(next.error()));
+    return EditedSections{*std::move(next), {step, {Named{changed.name}}}};
 }
 
 void registerTemplateCommands(CommandRegistry &registry, Session &session, Interaction &interaction)

@@ -18,7 +18,9 @@ void registerTemplateCommands(CommandRegistry &registry, Session &session,
                               Interaction &interaction);
 
 /// The steps of the history: a template comes, or is another one (of these words, of its name).
-SectionEdit addedTemplate(const Document &document, const io::LoadedTemplate &loaded);
-SectionEdit changedTemplate(const Document &document, const Template &changed, Text step);
+/// Errors  those of addTemplate() and setTemplate().
+Result<EditedSections> addedTemplate(const Document &document, const io::LoadedTemplate &loaded);
+Result<EditedSections> changedTemplate(const Document &document, const Template &changed,
+                                       Text step);
 
 } // namespace fff

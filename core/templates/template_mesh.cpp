@@ -1,5 +1,6 @@
 #include "core/templates/template_mesh.h"
 
+#include "core/base/tolerances.h"
 #include "core/templates/thinned_mesh.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ Template stood(Template one, const TemplateMesh &mesh, UpAxis up, double size)
     const double extent = mesh.mesh->size();
     if (size > 0.0)
         one.scale = size / extent;
-    else if (mesh.mesh->unit())
+    else if (mesh.mesh->unit() && extent <= kMaxCoordinate)
         one.scale = 1.0;
     else
         one.scale = kTemplateSize / extent;

@@ -36,8 +36,8 @@ Box3 worldBounds(const Template &one, const TemplateMesh &mesh);
 enum class UpAxis { Y, Z };
 
 /// As a mesh comes in: with the axis of its file that is meant upwards; as large as wanted in its
-/// largest extent, 0: as its file says, or kTemplateSize where that does not; above the world's
-/// origin, on the ground.
+/// largest extent, 0: as its file says, or kTemplateSize where that does not say or where it is
+/// more than kMaxCoordinate; above the world's origin, on the ground.
 Template stood(Template one, const TemplateMesh &mesh, UpAxis up, double size);
 /// Moved straight down, or up, until it stands on the ground.
 Template onGround(Template one, const TemplateMesh &mesh);

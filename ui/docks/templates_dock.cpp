@@ -334,8 +334,9 @@ void TemplatesDock::change(const std::function<void(Template &)> &change, Text s
     Template next = *committed;
     change(next);
     const bool isHeld = committed->isLocked && next.isLocked && !next.hasFormOf(*committed);
-    if (!isHeld)
-        m_bench.editSections(changedTemplate(document, next, step));
+    // What it cannot be is put right by the fields below.
+    if (const auto edit = changedTemplate(document, next, step); edit && !isHeld)
+        m_bench.editSections(*edit);
     refreshFields(); // what was refused goes back to what it was
 }
 

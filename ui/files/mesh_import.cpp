@@ -61,13 +61,21 @@ MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
         return {};
     }
     if (!*loaded)
-        return {io::errorText(loaded->error()), {}, {}};
+        return {false, io::errorText(loaded->error()), {}, {}};
     const MeshReport report = (*loaded)->made.mesh->report;
-    bench.editSections(addedTemplate(bench.session().committed().document, **loaded));
+    auto added = addedTemplate(bench.session().committed().document, **loaded);
+    if (!added)
+        return {false, io::errorText(added.error()), {}, {}};
+    bench.editSections(*std::move(added));
     const Template &made = (*loaded)->made;
     const QString size = lengthText(made.scale * made.mesh->mesh->size(), 1, 1, QLocale());
-    MeshImported imported{{}, remarksOf(report), {}};
-    if (!made.mesh->mesh->unit())
+    MeshImported imported{true, {}, remarksOf(report), {}};
+    if (made.mesh->mesh->unit() && made.scale != 1.0)
+        //: %1 is the name of a file, %2 a length
+        imported.sized = MeshTexts::tr("%1 is too large for a model, so it was made %2 large. "
+                                       "Templates has its size.")
+                             .arg(name, size);
+    else if (!made.mesh->mesh->unit())
         //: %1 is the name of a file, %2 a length
         imported.sized = MeshTexts::tr("%1 knows no unit, so it was made %2 large. Templates has "
                                        "its size.")

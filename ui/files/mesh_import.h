@@ -17,6 +17,7 @@ bool isMeshFile(const QString &path);
 /// What there is to be said when it is over: what was wrong with the file; empty: nothing.
 struct MeshImported
 {
+    bool isAdded = false;
     QString error;   // it was not read
     QString remarks; // what was mended in it
     QString sized;   // what size it was given, where its file knows no unit

@@ -38,13 +38,14 @@ void MainWindow::readMesh(const QString &path)
     const MeshImported imported = importMesh(*this, *m_bench, path);
     if (!imported.error.isEmpty())
         m_messages->show(MessageBar::Severity::Error, {imported.error});
-    else if (!imported.remarks.isEmpty())
+    if (!imported.isAdded)
+        return;
+    if (!imported.remarks.isEmpty())
         m_messages->show(MessageBar::Severity::Warning, {imported.remarks});
-    m_layout->show(m_templates);
     if (!imported.sized.isEmpty())
         m_status->say(imported.sized);
-    if (imported.error.isEmpty())
-        m_bench->run(QStringLiteral("view.fitAll"));
+    m_layout->show(m_templates);
+    m_bench->run(QStringLiteral("view.fitAll"));
 }
 
 } // namespace fff::ui
