@@ -39,7 +39,7 @@ public:
         }
         // Vertices with a fourth coordinate, or with as many as the next line says.
         if (word.find_first_of("4n") != std::string_view::npos)
-            m_builder.fail(ErrorCode::Unsupported, m_text.where(), {std::string(word)});
+            m_builder.fail(ErrorCode::Unsupported, m_text.where(), {quoted(word)});
         word = m_text.anyWord();
         if (word == "BINARY")
             m_builder.fail(ErrorCode::Unsupported, m_text.where(), {"OFF BINARY"});

@@ -1,5 +1,6 @@
 // PLY: vertices and faces with whatever else programs measure, as text or as bytes of either order.
 // It says no unit.
+#include "core/io/loaded_document.h"
 #include "core/io/mesh_bytes.h"
 #include "core/io/mesh_text.h"
 #include "core/io/ply_header.h"
@@ -152,7 +153,7 @@ private:
                    : element.count > m_source.left() / least + 1) {
             m_builder.fail(ErrorCode::BadCount, m_source.where(),
                            {std::to_string(element.count), std::to_string(m_source.left() / least),
-                            element.name});
+                            quoted(element.name)});
             return;
         }
         forEach(element, [&] {

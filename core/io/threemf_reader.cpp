@@ -112,7 +112,7 @@ private:
     {
         const std::string &bytes = of.entry->bytes;
         const auto end = bytes.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(bytes));
-        return of.entry->name + ":" + std::to_string(1 + std::count(bytes.begin(), end, '\n'));
+        return io::quoted(of.entry->name) + ":" + std::to_string(1 + std::count(bytes.begin(), end, '\n'));
     }
     void fail(ErrorCode code, const Part &of, const pugi::xml_node &node,
               std::vector<std::string> args)
@@ -137,7 +137,7 @@ private:
         const auto marks = static_cast<std::size_t>(
             std::count_if(bytes.begin(), bytes.end(), [](char c) { return c == '<' || c == '='; }));
         if (marks > kMostXmlMarks) {
-            m_builder.fail(ErrorCode::BadCount, found->name,
+            m_builder.fail(ErrorCode::BadCount, io::quoted(found->name),
                            {std::to_string(marks), std::to_string(kMostXmlMarks),
                             QT_TRANSLATE_NOOP("Error", "elements and attributes")});
             return nullptr;

@@ -8,6 +8,7 @@
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 
+#include <algorithm>
 #include <random>
 
 using namespace fff;
@@ -28,6 +29,14 @@ Result<io::LoadedMesh> brokenRead(const std::string &name, const std::string &by
     io::MeshOptions options;
     options.name = name;
     return io::readMeshBytes(bytes, options);
+}
+
+bool isOneLine(const QString &text)
+{
+    return std::none_of(text.begin(), text.end(), [](QChar c) {
+        return c.category() == QChar::Other_Control || c.category() == QChar::Separator_Line ||
+               c.category() == QChar::Separator_Paragraph;
+    });
 }
 
 } // namespace
@@ -121,7 +130,8 @@ void TestBrokenMeshes::saidClearly_data()
     row("OFF with a word among its vertices", "a.off", brokenWith(off, "\n-5 -5 -5", "\n-5 why -5"),
         "a.off:4: found \"why\", expected a number");
     row("OFF with a face that has too few corners", "a.off",
-        brokenWith(off, "3 0 2 3 ", "9 0 2 3 "), "a.off:12: found nothing, expected a whole number");
+        brokenWith(off, "3 0 2 3 ", "9 0 2 3 "),
+        "a.off:12: found nothing, expected a whole number");
     // PLY
     row("PLY without an end of its head", "a.ply", ply.substr(0, 60),
         "a.ply:4: the file ends here, expected end_header");
@@ -144,6 +154,11 @@ void TestBrokenMeshes::saidClearly_data()
     row("PLY with vertices that are not there", "a.ply",
         brokenWith(plyRaw, "element vertex 8", "element vertex 9999999"),
         "a.ply:byte 244: found 9999999 vertices");
+    row("PLY with an element of a name that is no text", "a.ply",
+        brokenWith(plyRaw, "element face 12",
+                   "element f\x7f"
+                   "ace 9999999"),
+        "a.ply:byte 244: found 9999999 f ace, expected at most");
     row("PLY with a word among its numbers", "a.ply", brokenWith(ply, "3 0 2 3", "3 0 two 3"),
         "a.ply:21: found \"two\", expected a number");
     row("PLY with a list of −1", "a.ply", brokenWith(ply, "3 0 2 3", "-1 0 2 3"),
@@ -216,7 +231,7 @@ void TestBrokenMeshes::saidClearly()
     QVERIFY(!loaded);
     const QString text = io::errorText(loaded.error());
     QVERIFY2(text.startsWith(sentence), qPrintable(text));
-    QVERIFY(!text.contains(u'\n'));
+    QVERIFY2(isOneLine(text), qPrintable(text));
     QVERIFY(text.size() > name.size() + 10);
 }
 
@@ -245,7 +260,8 @@ void TestBrokenMeshes::anyPrefixAndAnyByte()
         if (loaded)
             return loaded->mesh->positions().size() >= 3;
         return loaded.error().place.starts_with("a") &&
-               !io::errorSentence(loaded.error()).isEmpty();
+               !io::errorSentence(loaded.error()).isEmpty() &&
+               isOneLine(io::errorText(loaded.error()));
     };
     for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 300)
         QVERIFY(look(whole.substr(0, length)));
