@@ -4872,6 +4872,10 @@
         <source>The slit does not touch a guide, so there is none to take whole.</source>
         <translation>Der Schlitz berührt keine Führung, also ist keine ganz zu übernehmen.</translation>
     </message>
+    <message>
+        <source>%1 was drawn beside its slit and was given a neck that reaches into it.</source>
+        <translation>%1 wurde neben seinem Schlitz gezeichnet und bekam einen Steg, der in ihn reicht.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>

@@ -47,11 +47,18 @@ sign::Label offerChip(Text words, const Contour &drawn, const Frame &canvas)
 
 std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget &target,
                                      const Contour &drawn, double tolerance,
-                                     const DrawingRules &rules)
+                                     const DrawingRules &rules,
+                                     const std::optional<SlitToReach> &slit)
 {
-    const std::optional<MeantShape> meant = meantShape(drawn, tolerance, rules.axis);
+    std::optional<MeantShape> meant = meantShape(drawn, tolerance, rules.axis);
     if (!meant)
         return {};
+    if (slit) {
+        if (std::optional<Contour> reaching = withNeck(meant->contour, *slit)) {
+            meant->contour = *std::move(reaching);
+            meant->figure.reset();
+        }
+    }
     tl::expected<DrawnContour, Hint> made =
         meant->figure ? drawFigure(before, target, *meant->figure, rules)
                       : drawContour(before, target, meant->contour, rules);

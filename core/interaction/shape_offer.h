@@ -4,6 +4,7 @@
 
 #include "core/interaction/contour_target.h"
 #include "core/interaction/overlay.h"
+#include "core/stroke/slit_neck.h"
 
 #include <optional>
 
@@ -24,8 +25,10 @@ sign::Label offerChip(Text words, const Contour &drawn, const Frame &canvas);
 ///
 /// before     the document that the stroke began with
 /// tolerance  that the contour was fitted to, mm
+/// slit       that is to hold it, too; none: nothing is
 std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget &target,
                                      const Contour &drawn, double tolerance,
-                                     const DrawingRules &rules);
+                                     const DrawingRules &rules,
+                                     const std::optional<SlitToReach> &slit);
 
 } // namespace fff

@@ -235,6 +235,7 @@ void StrokeGesture::beginTurn(const PointerEvent &event, GestureContext &context
     m_target = ContourTarget::newSection(
         m_turn->canvas(), Parent{m_ground->ref, m_stroke.slitFrom(), m_stroke.slitTo()});
     m_target.right = m_turn->right();
+    m_stroke.reachSlit(context.model.document.stockOf(*m_ground->section).thickness);
     followTemplates(context);
     lookAtWalls(context);
     if (m_missing) {
@@ -329,11 +330,12 @@ void StrokeGesture::updateDrawn(const GestureContext &context)
 {
     const StrokeContour &contour = m_stroke.contour();
     if (m_stroke.revision() == m_drawnRevision && contour.isMirrored == m_drawnMirrored &&
-        m_isMovedIn == m_drawnMovedIn)
+        m_isMovedIn == m_drawnMovedIn && contour.beside.has_value() == m_drawnBeside)
         return;
     m_drawnRevision = m_stroke.revision();
     m_drawnMirrored = contour.isMirrored;
     m_drawnMovedIn = m_isMovedIn;
+    m_drawnBeside = contour.beside.has_value();
     m_price = contour.work + kLeastPrice;
     m_drawn.reset();
     if (contour.contour)
@@ -357,8 +359,9 @@ void StrokeGesture::updateOffer(const GestureContext &context)
     const StrokeContour &contour = m_stroke.contour();
     if (m_offer || contour.wasCrossing)
         return;
-    m_offer = shapeOffer(context.model.document, target(), *contour.contour, m_stroke.tolerance(),
-                         rulesOf(context));
+    m_offer = shapeOffer(context.model.document, target(),
+                         contour.beside ? *contour.beside : *contour.contour, m_stroke.tolerance(),
+                         rulesOf(context), m_stroke.slit());
 }
 
 bool StrokeGesture::hasOffer() const
@@ -411,6 +414,7 @@ GestureReply StrokeGesture::done(const GestureContext &context)
     };
     tell(contour.wasCutAtAxis, hints::kCutAtAxis);
     tell(!contour.doHalvesMeet, hints::kHalvesDoNotMeet);
+    tell(contour.beside.has_value(), hints::kHasNeck);
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};
     reply.offer = std::move(m_offer);
     if (m_quick)

@@ -118,8 +118,9 @@ private:
     double m_now = 0.0; // ms
     bool m_isMovingToRoom = false;
     std::uint64_t m_drawnRevision = 0;                       // of the samples of m_drawn
-    bool m_drawnMirrored = false;                            // and whether it was mirrored,
-    bool m_drawnMovedIn = false;                             // and moved in
+    bool m_drawnMirrored = false;                            // whether it was mirrored,
+    bool m_drawnMovedIn = false;                             // moved in,
+    bool m_drawnBeside = false;                              // or given a neck
     std::optional<tl::expected<DrawnContour, Hint>> m_drawn; // none: nothing is enclosed yet
     std::optional<ShapeOffer> m_offer;                       // of what is committed
     // What showing the contour may cost, and cost the last time, in samples looked at.

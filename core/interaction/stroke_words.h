@@ -66,5 +66,7 @@ inline constexpr Text kCrossesItself =
     FFF_TEXT("Hint", "The contour crosses itself; the largest loop was kept.");
 inline constexpr Text kCutAtAxis =
     FFF_TEXT("Hint", "%1 was mirrored; what crossed its axis and came back was left out.");
+inline constexpr Text kHasNeck =
+    FFF_TEXT("Hint", "%1 was drawn beside its slit and was given a neck that reaches into it.");
 
 } // namespace fff::hints

@@ -9,6 +9,7 @@ target_sources(fff_core PRIVATE
     stroke/meant_line.cpp
     stroke/meant_shape.cpp
     stroke/pen_path.cpp
+    stroke/slit_neck.cpp
     stroke/small_round.cpp
     stroke/steady_hand.cpp
     stroke/straightened.cpp

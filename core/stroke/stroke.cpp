@@ -14,6 +14,8 @@ namespace {
 constexpr int kBisections = 60;
 /// Samples after which what is meant by them is followed, so that none of them costs much.
 constexpr std::size_t kFollowed = 32;
+/// So many radii of the dead zone, on whose border it begins, a contour may be away from its slit.
+constexpr double kReach = 2.0;
 
 } // namespace
 
@@ -81,9 +83,19 @@ void Stroke::setGuides(std::shared_ptr<const Guides> guides)
     m_contour.reset();
 }
 
+void Stroke::reachSlit(double thickness)
+{
+    m_slit = {slitLength(), thickness, kReach * m_options.deadZoneRadius};
+    m_options.contour.slit = slit();
+    m_contour.reset();
+}
+
 void Stroke::setFree(bool isFree)
 {
+    if (m_slit && isFree != m_isFree)
+        m_contour.reset();
     m_isFree = isFree;
+    m_options.contour.slit = slit();
 }
 
 /// The samples that are drawn while no guide counts: those of the line from the last one on.

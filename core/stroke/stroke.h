@@ -67,7 +67,10 @@ public:
     void setSymmetryOn(bool on);
     /// Curves on the canvas that the contour follows where it comes near them; null: none.
     void setGuides(std::shared_ptr<const Guides> guides);
-    /// Whether what is drawn from now on goes free of them.
+    /// The slit is to hold what is drawn, in a section of this thickness, mm. Once it has ended.
+    void reachSlit(double thickness);
+    /// Whether what is drawn from now on goes free of them, and what is drawn beside the slit stays
+    /// there.
     void setFree(bool isFree);
     /// Where the last move was.
     void release();
@@ -97,6 +100,8 @@ public:
     const std::vector<Vec2> &samples() const { return m_line.points(); }
     /// Changes with them.
     std::uint64_t revision() const { return m_line.revision(); }
+    /// What is to hold the contour; none while it is free.
+    std::optional<SlitToReach> slit() const { return m_isFree ? std::nullopt : m_slit; }
     /// What is fitted, and what of that stays as it is, whatever is drawn next.
     const MeantLine &meant() const;
     /// What a release would make now. Kept until the next sample that adds something.
@@ -121,6 +126,7 @@ private:
     SteadyHand m_hand;
     ThinnedLine m_line;
     bool m_isFree = false;
+    std::optional<SlitToReach> m_slit;
     mutable MeantLine m_meant; // follows when it is looked at, and every so often
     mutable std::optional<StrokeContour> m_contour;
 };

@@ -12,6 +12,7 @@
 #include "core/stroke/twitch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fff {
 
@@ -228,6 +229,15 @@ void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, doubl
     closePlain(samples, line, tolerance, options.tolerance, stroke);
 }
 
+void reach(const SlitToReach &slit, StrokeContour &stroke)
+{
+    std::optional<Contour> reaching = withNeck(*stroke.contour, slit);
+    if (!reaching)
+        return;
+    stroke.work += kCrossingWork * stroke.contour->segmentCount();
+    stroke.beside = std::exchange(stroke.contour, std::move(reaching));
+}
+
 } // namespace
 
 FitOptions fitOptions(const StrokeContourOptions &options)
@@ -269,6 +279,8 @@ StrokeContour strokeContour(const std::vector<Vec2> &samples, const MeantLine &m
     } else {
         closeFitted(samples, meant, options.tolerance, options, stroke);
     }
+    if (stroke.contour && options.slit)
+        reach(*options.slit, stroke);
     return stroke;
 }
 

@@ -4,6 +4,7 @@
 #include "core/geometry/contour.h"
 #include "core/stroke/guided_line.h"
 #include "core/stroke/meant_line.h"
+#include "core/stroke/slit_neck.h"
 #include "core/stroke/symmetry.h"
 
 #include <memory>
@@ -21,6 +22,7 @@ struct StrokeContourOptions
     bool isSymmetryOn = true;                  // off: the axis is judged, not used
     std::shared_ptr<const Guides> guides = {}; // that it follows; null: none
     std::vector<FreeSamples> free = {};        // of the samples, by which it does not
+    std::optional<SlitToReach> slit = {};      // that is to hold it; none: nothing is
 };
 
 /// What is seen while drawing and what a release makes, from one and the same fit.
@@ -48,6 +50,9 @@ struct StrokeContour
     Refusal refusal = Refusal::None; // None if and only if there is a contour
     bool wasCrossing = false;        // the closed chain crossed itself, the largest loop was kept
     bool wasCutAtAxis = false;       // it came over the axis and back, the largest half was kept
+
+    /// What was drawn beside its slit; the contour has a neck that reaches into that.
+    std::optional<Contour> beside;
 
     std::optional<MirrorAxis> axis;          // as in the options
     std::optional<SymmetryVerdict> symmetry; // of the samples, where there is an axis

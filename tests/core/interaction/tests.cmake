@@ -30,6 +30,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_view_history
     core/interaction/tst_load_editing
     core/interaction/tst_load_tool
+    core/interaction/tst_legs
     ALONE
         core/interaction/tst_facing
         core/interaction/tst_hasty_stroke

@@ -355,12 +355,14 @@ void TestSymmetricSection::sizesAreTheSameEverywhere()
         desk.moveTo(desk.plate(to.x(), to.y()));
         desk.wait(kTurnTime);
         const Vec2 start = desk.cursor;
+        // Beside its slit, and not in the way of the next one.
+        const Modifiers ctrl{.control = true};
         for (const Vec2 &p : {Vec2(60, 160), Vec2(60, -180), Vec2(-80, -180)})
-            desk.moveTo(start + p);
+            desk.moveTo(start + p, ctrl);
         const auto *stroke = desk.interaction.overlay().find<sign::Stroke>();
         QVERIFY(stroke && stroke->size);
         const Vec2 said = *stroke->size;
-        desk.release(desk.cursor);
+        desk.release(desk.cursor, Button::Left, ctrl);
         QVERIFY((desk.sections().back()->shape->bounds().size() - said).norm() < 1e-9);
         const Vec3 right = desk.interaction.camera().right();
         QVERIFY(std::abs(desk.sections().back()->frame.x.dot(right)) > 0.999);

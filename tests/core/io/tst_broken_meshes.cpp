@@ -158,7 +158,7 @@ void TestBrokenMeshes::saidClearly_data()
         brokenWith(plyRaw, "element face 12",
                    "element f\x7f"
                    "ace 9999999"),
-        "a.ply:byte 244: found 9999999 f ace, expected at most");
+        "a.ply:byte 444: found 9999999 f ace, expected at most 40 f ace");
     row("PLY with a word among its numbers", "a.ply", brokenWith(ply, "3 0 2 3", "3 0 two 3"),
         "a.ply:21: found \"two\", expected a number");
     row("PLY with a list of −1", "a.ply", brokenWith(ply, "3 0 2 3", "-1 0 2 3"),

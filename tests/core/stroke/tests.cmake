@@ -5,6 +5,7 @@ fff_tests(tests_stroke LIBRARIES fff::core TESTS
     core/stroke/tst_long_strokes
     core/stroke/tst_meant_shape
     core/stroke/tst_pen_path
+    core/stroke/tst_slit_neck
     core/stroke/tst_stroke
     core/stroke/tst_stroke_contour
     core/stroke/tst_stroke_corpus
