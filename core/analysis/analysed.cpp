@@ -7,7 +7,7 @@ Result<Analysed> analysed(const Snapshot &snapshot, const Analysed *previous, Pr
 {
     Analysed out{nullptr, previous ? previous->caches : std::make_shared<AnalysisCaches>()};
     out.analysis = analyseNext(snapshot.get(kModel), *out.caches);
-    prepareDrawing(*out.analysis);
+    prepareDrawing(*out.analysis, previous ? previous->analysis.get() : nullptr);
     return out;
 }
 

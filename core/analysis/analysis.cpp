@@ -7,6 +7,50 @@
 
 namespace fff {
 
+namespace {
+
+/// As those of the last one where section and slits are.
+CutList cutsOf(const Analysis &analysis, const Analysis &last,
+               const std::optional<std::vector<int>> &places, CutCache &cache)
+{
+    const std::vector<SectionPointer> &sections = analysis.model.sections(),
+                                      &sectionsBefore = last.model.sections();
+    const SharedRows<Slit> &slits = analysis.assembly.slits, &slitsBefore = last.assembly.slits;
+    CutList cuts = last.cuts;
+    cuts.resize(sections.size());
+    CutList::Editor editor(cuts);
+    const auto renew = [&](std::size_t i) {
+        const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
+        const bool isKnown = place < last.cuts.size();
+        const bool isSame = isKnown && sections[i] == sectionsBefore[place];
+        if (isSame && slits.pointer(i) == slitsBefore.pointer(place)) {
+            if (place != i)
+                editor.set(i, last.cuts[place]);
+            return;
+        }
+        const ShapePointer &shape = sections[i]->shape;
+        const bool hasSameShape = isSame || (isKnown && shape == sectionsBefore[place]->shape);
+        const CutSectionPointer known = hasSameShape ? last.cuts[place] : nullptr;
+        CutSectionPointer cut = known && slits.pointer(i) == slitsBefore.pointer(place)
+                                    ? known
+                                    : cutSection(shape, slits[i], cache, known.get());
+        if (place != i || cut != known)
+            editor.set(i, std::move(cut));
+    };
+    for (std::size_t first = 0; first < sections.size(); first += CutList::kInBlock) {
+        const std::size_t block = first / CutList::kInBlock, end = cuts.endOf(block);
+        const bool isSame =
+            !places && cuts.shares(last.cuts, block) &&
+            slits.pointers().shares(slitsBefore.pointers(), block) &&
+            std::equal(&sections[first], &sections[first] + (end - first), &sectionsBefore[first]);
+        for (std::size_t i = first; !isSame && i < end; ++i)
+            renew(i);
+    }
+    return cuts;
+}
+
+} // namespace
+
 AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
 {
     static const Analysis nothing;
@@ -14,20 +58,8 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
     Analysis analysis;
     analysis.model = model;
     analysis.assembly = assemble(model, last.model, last.assembly);
-    analysis.cuts.resize(model.sectionCount());
     const std::optional<std::vector<int>> places = placesBefore(model, last.model);
-    const SharedRows<Slit> &slits = analysis.assembly.slits, &before = last.assembly.slits;
-    for (std::size_t i = 0; i < analysis.cuts.size(); ++i) {
-        const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
-        const ShapePointer &shape = model.section(i)->shape;
-        const bool hasSameShape =
-            place < last.cuts.size() && (model.section(i) == last.model.section(place) ||
-                                         shape == last.model.section(place)->shape);
-        const CutSectionPointer known = hasSameShape ? last.cuts[place] : nullptr;
-        analysis.cuts[i] = known && slits.pointer(i) == before.pointer(place)
-                               ? known
-                               : cutSection(shape, slits[i], caches.cuts, known.get());
-    }
+    analysis.cuts = cutsOf(analysis, last, places, caches.cuts);
     analysis.bodies = bodiesOf(model, analysis.cuts, last.bodies, places);
     analysis.grips = Grips::find(model, analysis.assembly, analysis.cuts,
                                  {last.model, last.assembly, last.cuts, last.grips}, places);
@@ -62,10 +94,13 @@ std::vector<int> groupOf(const Analysis &analysis, int section)
     return {};
 }
 
-void prepareDrawing(const Analysis &analysis)
+void prepareDrawing(const Analysis &analysis, const Analysis *prepared)
 {
-    for (const CutSectionPointer &cut : analysis.cuts)
-        cut->triangulations();
+    const CutList &cuts = analysis.cuts;
+    for (std::size_t block = 0; block < cuts.blockCount(); ++block)
+        if (!prepared || !cuts.shares(prepared->cuts, block))
+            for (std::size_t i = block * CutList::kInBlock; i < cuts.endOf(block); ++i)
+                cuts[i]->triangulations();
 }
 
 } // namespace fff

@@ -11,9 +11,9 @@ struct Analysis
 {
     Model model; // the one it belongs to
     Assembly assembly;
-    std::vector<CutSectionPointer> cuts; // one a section
-    Bodies bodies;                       // that these are cut into
-    Grips grips;                         // what the joints hold of these
+    CutList cuts;  // one a section
+    Bodies bodies; // that these are cut into
+    Grips grips;   // what the joints hold of these
 };
 
 struct CaptiveCache;
@@ -39,6 +39,7 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches);
 Analysis analyse(const Model &model, AnalysisCaches &caches);
 
 /// Computes now what drawing will ask for, so that it costs a worker's time, not the window's.
-void prepareDrawing(const Analysis &analysis);
+/// prepared  what it has of this one is not looked at again; null: nothing
+void prepareDrawing(const Analysis &analysis, const Analysis *prepared = nullptr);
 
 } // namespace fff

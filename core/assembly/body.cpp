@@ -141,15 +141,10 @@ bool Body::isOf(const SectionRef &section, const CutSectionPointer &cut, const F
            m_key.section == section;
 }
 
-/// Some sections after each other, what their bodies were made of, and these.
+/// Some sections after each other, and their bodies.
 struct Bodies::Run
 {
-    struct Source
-    {
-        SectionPointer section;
-        CutSectionPointer cut;
-    };
-    std::vector<Source> sources;
+    std::vector<SectionPointer> sections;
     std::vector<int> counts; // of bodies, of each of these
     std::vector<BodyPointer> bodies;
 };
@@ -190,7 +185,7 @@ MassProperties Bodies::mass() const
 class BodyLister
 {
 public:
-    BodyLister(const Model &model, const std::vector<CutSectionPointer> &cuts, const Bodies &before,
+    BodyLister(const Model &model, const CutList &cuts, const Bodies &before,
                const std::optional<std::vector<int>> &places)
         : m_model(model), m_cuts(cuts), m_before(before), m_places(places),
           m_hasSameStocks(model.document.stocks == before.m_stocks)
@@ -201,10 +196,10 @@ public:
     {
         Bodies bodies;
         bodies.m_stocks = m_model.document.stocks;
-        const std::size_t count = m_cuts.size();
-        bodies.m_runs.reserve((count + kInRun - 1) / kInRun);
-        for (std::size_t first = 0; first < count; first += kInRun)
-            bodies.m_runs.push_back(runFrom(first, std::min(first + kInRun, count)));
+        bodies.m_cuts = m_cuts;
+        bodies.m_runs.reserve(m_cuts.blockCount());
+        for (std::size_t block = 0; block < m_cuts.blockCount(); ++block)
+            bodies.m_runs.push_back(runOf(block));
         if (isDividedAsBefore(bodies))
             placeAsBefore(bodies);
         else
@@ -214,7 +209,6 @@ public:
 
 private:
     using Run = Bodies::Run;
-    static constexpr std::size_t kInRun = 8;
 
     /// Each section in as many bodies as the one at its place.
     bool isDividedAsBefore(const Bodies &bodies) const
@@ -232,7 +226,7 @@ private:
         bodies.m_first = m_before.m_first;
         for (std::size_t i = 0; i < bodies.m_runs.size(); ++i)
             if (const Run &run = *bodies.m_runs[i]; &run != m_before.m_runs[i].get()) {
-                auto at = bodies.m_all.begin() + bodies.m_first[i * kInRun];
+                auto at = bodies.m_all.begin() + bodies.m_first[i * CutList::kInBlock];
                 for (const BodyPointer &body : run.bodies)
                     *at++ = &body;
             }
@@ -254,23 +248,20 @@ private:
         }
     }
 
-    Bodies::RunPointer runFrom(std::size_t first, std::size_t last) const
+    Bodies::RunPointer runOf(std::size_t block) const
     {
-        if (const std::size_t index = first / kInRun; !m_places && index < m_before.m_runs.size()) {
-            const Bodies::RunPointer &known = m_before.m_runs[index];
-            bool isSame = m_hasSameStocks && known->sources.size() == last - first;
-            for (std::size_t i = first; isSame && i < last; ++i) {
-                const Run::Source &source = known->sources[i - first];
-                isSame = source.section == m_model.section(i) && source.cut == m_cuts[i];
-            }
-            if (isSame)
+        const std::size_t first = block * CutList::kInBlock, last = m_cuts.endOf(block);
+        if (m_hasSameStocks && !m_places && m_cuts.shares(m_before.m_cuts, block)) {
+            const Bodies::RunPointer &known = m_before.m_runs[block];
+            if (std::equal(known->sections.begin(), known->sections.end(),
+                           &m_model.sections()[first]))
                 return known;
         }
         auto run = std::make_shared<Run>();
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t before = run->bodies.size();
             addBodies(i, *run);
-            run->sources.push_back({m_model.section(i), m_cuts[i]});
+            run->sections.push_back(m_model.section(i));
             run->counts.push_back(static_cast<int>(run->bodies.size() - before));
         }
         return run;
@@ -298,14 +289,14 @@ private:
     }
 
     const Model &m_model;
-    const std::vector<CutSectionPointer> &m_cuts;
+    const CutList &m_cuts;
     const Bodies &m_before;
     const std::optional<std::vector<int>> &m_places;
     bool m_hasSameStocks;
 };
 
-Bodies bodiesOf(const Model &model, const std::vector<CutSectionPointer> &cuts,
-                const Bodies &before, const std::optional<std::vector<int>> &places)
+Bodies bodiesOf(const Model &model, const CutList &cuts, const Bodies &before,
+                const std::optional<std::vector<int>> &places)
 {
     return BodyLister(model, cuts, before, places).list();
 }

@@ -110,8 +110,9 @@ private:
     using RunPointer = std::shared_ptr<const Run>;
 
     std::vector<std::shared_ptr<const Stock>> m_stocks; // of the model
-    std::vector<RunPointer> m_runs;
-    std::vector<const BodyPointer *> m_all; // in the runs
+    CutList m_cuts;                                     // that they are of
+    std::vector<RunPointer> m_runs;                     // one a block of these
+    std::vector<const BodyPointer *> m_all;             // in the runs
     std::vector<int> m_sections;
     std::vector<int> m_first{0}; // of each section, and behind the last one their number
 };
@@ -158,8 +159,7 @@ inline Bodies::Iterator Bodies::end() const
 /// cuts    belong to the model, one a section
 /// before  of another model: bodies that are the same stay the same objects
 /// places  of the model's sections in that other one, as placesBefore() has them
-Bodies bodiesOf(const Model &model, const std::vector<CutSectionPointer> &cuts,
-                const Bodies &before = {},
+Bodies bodiesOf(const Model &model, const CutList &cuts, const Bodies &before = {},
                 const std::optional<std::vector<int>> &places = std::nullopt);
 
 } // namespace fff

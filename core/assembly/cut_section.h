@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/assembly/joint.h"
+#include "core/assembly/shared_list.h"
 #include "core/base/once.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/notch.h"
@@ -99,6 +100,8 @@ private:
 };
 
 using CutSectionPointer = std::shared_ptr<const CutSection>;
+/// Of all sections of a model.
+using CutList = SharedList<CutSectionPointer>;
 
 /// Keeps cut sections by (Shape, slits). Holds shapes weakly, and no cuts of shapes that are gone;
 /// bounded in bytes (least recently used goes first). Not for several threads at once.

@@ -4,31 +4,37 @@
 #include "core/base/groups.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 namespace fff {
 
 namespace {
 
+/// As many joints are passed in the time that it takes to look up one of them.
+constexpr std::size_t kLookedUp = 8;
+
 /// Beside which joints both sections are as thick, and cut, as they were.
 class Untouched
 {
 public:
-    Untouched(const Model &model, const Assembly &assembly,
-              const std::vector<CutSectionPointer> &cuts, const Grips::Before &before,
-              const std::optional<std::vector<int>> &places)
-        : m_changed(cuts.size(), 0), m_sides(assembly.joints.size(), 0)
+    Untouched(const Model &model, const Assembly &assembly, const CutList &cuts,
+              const Grips::Before &before, const std::optional<std::vector<int>> &places)
+        : m_isChanged(cuts.size(), 0), m_sides(assembly.joints.size(), 0)
     {
         const bool hasSameStocks = model.document.stocks == before.model.document.stocks;
+        const std::vector<SectionPointer> &sections = model.sections(),
+                                          &sectionsBefore = before.model.sections();
         for (std::size_t i = 0; i < cuts.size(); ++i) {
             const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
             const bool isKnown = place < before.cuts.size();
             const bool isAsThick =
-                isKnown && ((hasSameStocks && model.section(i) == before.model.section(place)) ||
+                isKnown && ((hasSameStocks && sections[i] == sectionsBefore[place]) ||
                             model.stockOf(i).thickness == before.model.stockOf(place).thickness);
             if (isAsThick && cuts[i] == before.cuts[place])
                 continue;
-            m_changed[i] = 1;
+            m_isChanged[i] = 1;
+            m_changed.push_back(static_cast<int>(i));
             if (isAsThick)
                 findUntouched(assembly.slits[i],
                               CutChange(*cuts[i], assembly.slits[i], *before.cuts[place],
@@ -36,11 +42,14 @@ public:
         }
     }
 
+    /// Sections that are others than they were, ascending.
+    const std::vector<int> &changed() const { return m_changed; }
+    bool isChanged(std::size_t section) const { return m_isChanged[section]; }
     /// Of one whose crossing is what it was.
     bool has(const Joint &joint) const
     {
-        return m_changed[static_cast<std::size_t>(joint.a)] +
-                   m_changed[static_cast<std::size_t>(joint.b)] ==
+        return m_isChanged[static_cast<std::size_t>(joint.a)] +
+                   m_isChanged[static_cast<std::size_t>(joint.b)] ==
                m_sides[static_cast<std::size_t>(joint.id) - 1];
     }
 
@@ -60,20 +69,27 @@ private:
         }
     }
 
-    std::vector<char> m_changed; // of each section whether it is another one
-    std::vector<char> m_sides;   // of each joint how many of these are the same beside it
+    std::vector<int> m_changed;    // sections that are others now, ascending
+    std::vector<char> m_isChanged; // of each section
+    std::vector<char> m_sides;     // of each joint how many of these are the same beside it
 };
 
-/// Of each joint the index before of the one that holds what it holds now, or −1.
-std::vector<int> knownJoints(const Untouched &untouched, const JointList &joints,
-                             const JointList &before, const std::optional<std::vector<int>> &places)
+/// Of each joint the index before of the one with its crossing, or −1.
+std::vector<int> sameCrossings(const JointList &joints, const JointList &before,
+                               const std::optional<std::vector<int>> &places)
 {
-    std::vector<int> known(joints.size(), -1);
+    std::vector<int> same(joints.size(), -1);
     for (std::size_t a = 0; a < joints.rows().size(); ++a) {
         const std::size_t place = places ? static_cast<std::size_t>((*places)[a]) : a;
-        if (place >= before.rows().size())
+        if (joints.start(a) == joints.start(a + 1) || place >= before.rows().size())
             continue;
+        const int start = static_cast<int>(before.start(place));
+        const auto first = same.begin() + static_cast<std::ptrdiff_t>(joints.start(a));
         const std::vector<Joint> &row = joints.rows()[a], &rowBefore = before.rows()[place];
+        if (&row == &rowBefore) {
+            std::iota(first, first + std::ssize(row), start);
+            continue;
+        }
         std::unordered_map<const Crossing *, std::size_t> byCrossing;
         if (row.size() != rowBefore.size())
             for (std::size_t k = 0; k < rowBefore.size(); ++k)
@@ -84,9 +100,35 @@ std::vector<int> knownJoints(const Untouched &untouched, const JointList &joints
                 const auto found = byCrossing.find(row[i].crossing.get());
                 k = found == byCrossing.end() ? rowBefore.size() : found->second;
             }
-            if (k < rowBefore.size() && rowBefore[k].crossing == row[i].crossing &&
-                untouched.has(row[i]))
-                known[joints.start(a) + i] = static_cast<int>(before.start(place) + k);
+            if (k < rowBefore.size() && rowBefore[k].crossing == row[i].crossing)
+                first[static_cast<std::ptrdiff_t>(i)] = start + static_cast<int>(k);
+        }
+    }
+    return same;
+}
+
+/// Of each joint the index before of the one that holds what it holds now, or −1.
+std::vector<int> knownJoints(const Untouched &untouched, const JointList &joints,
+                             const JointList &before, const std::optional<std::vector<int>> &places)
+{
+    std::vector<int> known = sameCrossings(joints, before, places);
+    const auto look = [&](const Joint &joint) {
+        if (!untouched.has(joint))
+            known[static_cast<std::size_t>(joint.id) - 1] = -1;
+    };
+    const std::vector<int> &changed = untouched.changed();
+    for (std::size_t a = 0; a < joints.rows().size(); ++a) {
+        const std::size_t count = joints.start(a + 1) - joints.start(a);
+        if (count == 0)
+            continue;
+        // Few of a long row are looked up, not looked through.
+        if (untouched.isChanged(a) || changed.size() > count / kLookedUp) {
+            for (const Joint &joint : joints.rows()[a])
+                look(joint);
+        } else {
+            for (const int b : changed)
+                if (const Joint *joint = joints.find(static_cast<int>(a), b))
+                    look(*joint);
         }
     }
     return known;
@@ -94,9 +136,8 @@ std::vector<int> knownJoints(const Untouched &untouched, const JointList &joints
 
 } // namespace
 
-Grips Grips::find(const Model &model, const Assembly &assembly,
-                  const std::vector<CutSectionPointer> &cuts, const Before &before,
-                  const std::optional<std::vector<int>> &places)
+Grips Grips::find(const Model &model, const Assembly &assembly, const CutList &cuts,
+                  const Before &before, const std::optional<std::vector<int>> &places)
 {
     const auto side = [&](int section) {
         const auto i = static_cast<std::size_t>(section);
@@ -106,31 +147,20 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
     };
     const std::vector<int> known = knownJoints(Untouched(model, assembly, cuts, before, places),
                                                assembly.joints, before.assembly.joints, places);
-    Grips grips;
-    grips.m_blocks.reserve((known.size() + kInBlock - 1) / kInBlock);
+    Grips grips = before.grips;
+    grips.m_all.resize(known.size());
+    SharedList<Pointer>::Editor editor(grips.m_all);
     GripFinder finder;
-    for (std::size_t first = 0; first < known.size(); first += kInBlock) {
-        const std::size_t last = std::min(first + kInBlock, known.size());
-        const std::size_t index = grips.m_blocks.size();
-        bool isSame = before.grips.hasBlock(index, last - first);
-        for (std::size_t i = first; isSame && i < last; ++i)
-            isSame = known[i] == static_cast<int>(i);
-        if (isSame) {
-            grips.m_blocks.push_back(before.grips.m_blocks[index]);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        if (known[i] == static_cast<int>(i))
+            continue;
+        if (known[i] >= 0) {
+            editor.set(i, before.grips.m_all[static_cast<std::size_t>(known[i])]);
             continue;
         }
-        Block block;
-        block.reserve(last - first);
-        for (std::size_t i = first; i < last; ++i) {
-            if (known[i] >= 0) {
-                block.push_back(before.grips.pointer(known[i]));
-                continue;
-            }
-            const Joint &joint = assembly.joints[i];
-            block.push_back(std::make_shared<const JointGrips>(
-                finder.find(joint, side(joint.a), side(joint.b))));
-        }
-        grips.m_blocks.push_back(std::make_shared<const Block>(std::move(block)));
+        const Joint &joint = assembly.joints[i];
+        editor.set(i, std::make_shared<const JointGrips>(
+                          finder.find(joint, side(joint.a), side(joint.b))));
     }
     return grips;
 }

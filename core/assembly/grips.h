@@ -16,40 +16,30 @@ namespace fff {
 class Grips
 {
 public:
-    const JointGrips &of(const Joint &joint) const { return *pointer(joint.id - 1); }
+    const JointGrips &of(const Joint &joint) const
+    {
+        return *m_all[static_cast<std::size_t>(joint.id) - 1];
+    }
 
     /// What was found for another model.
     struct Before
     {
         const Model &model;
         const Assembly &assembly;
-        const std::vector<CutSectionPointer> &cuts;
+        const CutList &cuts;
         const Grips &grips;
     };
     /// cuts    belong to the model, one a section
     /// before  with the places of the sections in that model (placesBefore()): joints beside which
     ///         their sections are cut as they were are not looked at again
-    static Grips find(const Model &model, const Assembly &assembly,
-                      const std::vector<CutSectionPointer> &cuts, const Before &before,
+    static Grips find(const Model &model, const Assembly &assembly, const CutList &cuts,
+                      const Before &before,
                       const std::optional<std::vector<int>> &places = std::nullopt);
 
 private:
     using Pointer = std::shared_ptr<const JointGrips>;
-    using Block = std::vector<Pointer>; // of so many joints that follow each other
-    static constexpr std::size_t kInBlock = 16;
 
-    /// index  of the joint
-    const Pointer &pointer(int index) const
-    {
-        const auto i = static_cast<std::size_t>(index);
-        return (*m_blocks[i / kInBlock])[i % kInBlock];
-    }
-    bool hasBlock(std::size_t block, std::size_t size) const
-    {
-        return block < m_blocks.size() && m_blocks[block]->size() == size;
-    }
-
-    std::vector<std::shared_ptr<const Block>> m_blocks;
+    SharedList<Pointer> m_all; // one a joint
 };
 
 /// The sections of these bodies (indices into the list, ascending), each once, ascending.

@@ -72,8 +72,9 @@ void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &c
         const ModelPointer next = timed(
             drag, [&] { return modelOf(moved(committed->document, id, offset), *committed); });
         const auto analysed = [&](const ModelPointer &model) {
+            const AnalysisPointer before = caches.last;
             AnalysisPointer result = analyseNext(*model, caches);
-            prepareDrawing(*result);
+            prepareDrawing(*result, before.get());
             return result;
         };
         AnalysisPointer analysis = timed(follow, [&] { return analysed(next); });

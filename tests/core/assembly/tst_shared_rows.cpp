@@ -4,6 +4,7 @@
 #include "tests/test_program.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 using namespace fff;
@@ -32,6 +33,7 @@ class TestSharedRows : public QObject
 private Q_SLOTS:
     void copiesKeepWhatTheyHad();
     void rowsThatStayAreShared();
+    void blocksThatAreSharedAreTheSame();
 };
 
 // Wrong: an edit would change the slits of the model before it, which undo goes back to.
@@ -80,6 +82,43 @@ void TestSharedRows::rowsThatStayAreShared()
     QVERIFY(!(after == before));
     SharedRows<int>::Editor(after).set(20, {20});
     QVERIFY(after == before);
+}
+
+// Wrong: what was edited within a block would be taken for what it was; or never for that, and all
+// of a model be looked at after each edit.
+void TestSharedRows::blocksThatAreSharedAreTheSame()
+{
+    std::vector<int> numbers(70);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const SharedList<int> before(numbers);
+    QVERIFY(std::equal(before.begin(), before.end(), numbers.begin(), numbers.end()));
+    QCOMPARE(before.endOf(0), SharedList<int>::kInBlock);
+    QCOMPARE(before.endOf(before.blockCount() - 1), std::size_t(70));
+    const auto shared = [&](const SharedList<int> &list) {
+        std::size_t count = 0;
+        for (std::size_t block = 0; block < list.blockCount(); ++block) {
+            if (!list.shares(before, block))
+                continue;
+            ++count;
+            for (std::size_t i = block * SharedList<int>::kInBlock; i < list.endOf(block); ++i)
+                if (list.endOf(block) != before.endOf(block) || list[i] != before[i])
+                    return std::size_t(0);
+        }
+        return count;
+    };
+    for (const std::size_t index : {0U, 15U, 16U, 69U}) {
+        SharedList<int> after = before;
+        SharedList<int>::Editor(after).set(index, -1);
+        QCOMPARE(after[index], -1);
+        QCOMPARE(before[index], static_cast<int>(index));
+        QCOMPARE(shared(after), before.blockCount() - 1);
+    }
+    for (const std::size_t size : {0U, 1U, 16U, 17U, 64U, 65U, 69U, 71U, 200U}) {
+        SharedList<int> after = before;
+        after.resize(size, 7);
+        QCOMPARE(after.size(), size);
+        QCOMPARE(shared(after), std::min(size, before.size()) / SharedList<int>::kInBlock);
+    }
 }
 
 FFF_TEST(TestSharedRows)

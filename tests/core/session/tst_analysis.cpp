@@ -9,6 +9,7 @@
 #include "tests/core/session/random_edits.h"
 #include "tests/test_program.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace fff;
@@ -170,7 +171,7 @@ void TestAnalysis::whatAnEditDoesNotTouchIsShared()
         QCOMPARE(before->assembly.slits.pointer(i) != after->assembly.slits.pointer(i), i < 2);
     }
     const AnalysisPointer undone = analyseNext(evaluate(document), caches);
-    QVERIFY(undone->cuts == before->cuts);
+    QVERIFY(std::ranges::equal(undone->cuts, before->cuts));
 }
 
 // Wrong: a joint that an edit seems not to come near would be the one before, though it does.
@@ -261,7 +262,7 @@ void TestAnalysis::aMovedPointLeavesWhatIsFarAlone()
     // The spine, and the ribs on the two edges that end in the point.
     QVERIFY2(cutAnew > 10 && cutAnew <= 25, qPrintable(QString::number(cutAnew)));
     const AnalysisPointer undone = analyseNext(evaluate(document), caches);
-    QVERIFY(undone->cuts == before->cuts);
+    QVERIFY(std::ranges::equal(undone->cuts, before->cuts));
     int crossings = 0; // that are not those they were
     for (std::size_t i = 0; i < before->assembly.joints.size(); ++i)
         crossings +=
@@ -280,7 +281,8 @@ void TestAnalysis::likeRibsShareTheirCuts()
     const Document document = bench::comb(kRibs);
     AnalysisCaches caches;
     const auto differentCuts = [](const Analysis &analysis) {
-        return std::set<CutSectionPointer>(analysis.cuts.begin() + 1, analysis.cuts.end()).size();
+        return std::set<CutSectionPointer>(std::next(analysis.cuts.begin()), analysis.cuts.end())
+            .size();
     };
     QCOMPARE(differentCuts(*analyseNext(evaluate(document), caches)), std::size_t(1));
     // All of the lower edge is oblique then, by a hundredth of a mm in all.

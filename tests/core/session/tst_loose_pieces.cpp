@@ -265,7 +265,7 @@ void TestLoosePieces::chipsAreWaste()
         withSection(withSection(newDocument(), hooked, front()), plateOf(-50, 0, 50, 60), side());
     const Judged found = judged(document);
     QCOMPARE(found.analysis.bodies.size(), std::size_t(2));
-    QCOMPARE(found.analysis.cuts.front()->waste().size(), std::size_t(1));
+    QCOMPARE(found.analysis.cuts[0]->waste().size(), std::size_t(1));
     const Finding *waste = fff::test::find(found.all, kWaste);
     QVERIFY(waste);
     QCOMPARE(waste->severity, Severity::Note);
