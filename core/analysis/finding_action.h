@@ -26,7 +26,8 @@ struct FindingEdit
 {
     Step step; // for the history
     Document document;
-    Message said = {}; // what the person is told once it is done; may be empty
+    Message said = {};    // what the person is told once it is done; may be empty
+    Message offered = {}; // what a link says of it, where more is known by now than by its action
 };
 
 struct ActionKind

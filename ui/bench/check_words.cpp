@@ -45,9 +45,11 @@ QString verdictText(const Finding &finding)
     return messageText(titleOf(finding), unitsInUse());
 }
 
-QString actionText(const FindingAction &action, const Finding &finding, const Model &model)
+QString mendText(const Mend &mend, const Finding &finding, const Model &model)
 {
-    return messageText(action.kind->words(action, finding, model));
+    if (mend.edit && mend.edit->offered.text.source)
+        return messageText(mend.edit->offered, unitsInUse());
+    return messageText(mend.action.kind->words(mend.action, finding, model), unitsInUse());
 }
 
 QString checkGlyph(Severity severity)

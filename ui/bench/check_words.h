@@ -1,7 +1,7 @@
 // What checks look like to a person: words, glyph, colour. For the Checks dock and the badges.
 #pragma once
 
-#include "core/analysis/finding_action.h"
+#include "core/analysis/mends.h"
 
 #include <QColor>
 #include <QString>
@@ -21,7 +21,7 @@ CheckWords checkWords(const Finding &finding, const Model &model);
 QString verdictText(const Finding &finding);
 
 /// What a link says: "Move it to Body".
-QString actionText(const FindingAction &action, const Finding &finding, const Model &model);
+QString mendText(const Mend &mend, const Finding &finding, const Model &model);
 
 /// Name of an icon; the outlines differ, not the colours alone.
 QString checkGlyph(Severity severity);

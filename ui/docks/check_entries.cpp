@@ -115,7 +115,7 @@ CheckRow::Content contentOf(const CheckEntry &entry, const CheckList &list)
         words.text = withAdvice(words.text, finding);
     QStringList links;
     for (const CheckEntry::Offer &offer : entry.offers)
-        links += actionText(offer.mend.action, offer.finding, list.model());
+        links += mendText(offer.mend, offer.finding, list.model());
     const QColor colour = isOlder && finding.severity == Severity::Good
                               ? theme().muted
                               : checkColour(finding.severity);

@@ -48,12 +48,19 @@ Message holdsTitle(const Finding &finding)
     return {FFF_TEXT("Checks", "Holds %1"), {placedOf(heldOf(finding))}};
 }
 
+/// It "holds" nothing from which a corner in it may crack already.
 Message barelyTitle(const Finding &finding)
 {
-    if (heldOf(finding).placed == 0.0)
-        return {FFF_TEXT("Checks", "Barely strong enough"), {}};
+    const Held &held = heldOf(finding);
+    const bool mayCrack = held.cornerUse > 1.0;
+    if (held.placed == 0.0)
+        return {mayCrack ? FFF_TEXT("Checks", "May crack")
+                         : FFF_TEXT("Checks", "Barely strong enough"),
+                {}};
     //: %1 is a mass or a force
-    return {FFF_TEXT("Checks", "Barely holds %1"), {placedOf(heldOf(finding))}};
+    return {mayCrack ? FFF_TEXT("Checks", "May crack under %1")
+                     : FFF_TEXT("Checks", "Barely holds %1"),
+            {placedOf(held)}};
 }
 
 /// It may hold all the same, with less to spare than is wanted.

@@ -16,6 +16,8 @@ namespace {
 
 //: %1 is the name of a stock, %2 a length
 constexpr Text kThickenStep = FFF_TEXT("Step", "Make %1 %2 thick");
+//: %1 is the thickness, the least one that is sold and that holds
+constexpr Text kThisThickText = FFF_TEXT("Checks", "Use stock %1 thick");
 
 /// mm: sheets that are sold.
 constexpr std::array kUsual{1.0, 1.5, 2.0,  2.5,  3.0,  4.0,  5.0, 6.0,
@@ -44,7 +46,9 @@ std::optional<FindingEdit> thickened(const FindingAction &, const Finding &findi
         if (!next)
             return {};
         return FindingEdit{Step(kThickenStep, {Named{stock.name}, lengthOf(thickness)}),
-                           *std::move(next)};
+                           *std::move(next),
+                           {},
+                           {kThisThickText, {lengthOf(thickness)}}};
     });
 }
 

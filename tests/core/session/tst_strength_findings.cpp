@@ -193,7 +193,9 @@ void TestStrengthFindings::whatIsTooWeakIsMended()
     bool isThicker = false;
     for (const Mend &mend : mends) {
         QVERIFY(mend.isEdit());
-        isThicker = isThicker || mend.action.kind == &kThickerStock;
+        const bool isOfStock = mend.action.kind == &kThickerStock;
+        QCOMPARE(!mend.edit->offered.isEmpty(), isOfStock); // how thick is known by now
+        isThicker = isThicker || isOfStock;
         Judged after(mend.edit->document);
         QVERIFY(after.held().strength.cornerUse < use);
         QVERIFY(after.held().strength.verdict == HoldVerdict::Holds ||
