@@ -28,6 +28,7 @@ private Q_SLOTS:
     void anEditClosesIt();
     void theListRingsAndOpens();
     void noLessIsShownThanIsAskedFor();
+    void thePhysicsPageShowsThem();
 
 private:
     Workbench &bench() { return m_window->bench(); }
@@ -157,6 +158,34 @@ void TestStressPicture::noLessIsShownThanIsAskedFor()
         QCOMPARE(marks().least, 0.01 * percent);
         QVERIFY(percent == 0 ? marks().lines.size() > usual : marks().lines.size() < usual);
     }
+}
+
+// Wrong: a page about what bears how much, beside a model that shows nothing of it; a weak place
+// buried by the handles of its section; lines that come back though somebody turned them off.
+void TestStressPicture::thePhysicsPageShowsThem()
+{
+    const auto isShown = [&] { return bench().interaction().view().showsStress; };
+    const auto turnOff = [&] {
+        bench().run(QStringLiteral("check.stress"), {{"on", "false"}});
+        QVERIFY(!isShown());
+    };
+    turnOff();
+    auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("physicsDock"));
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(isShown());
+    turnOff();
+    dock->hide();
+    dock->show();
+    dock->raise();
+    auto *row = m_window->findChild<QPushButton *>(QStringLiteral("weakPlace0"));
+    QTRY_VERIFY(row->isVisible());
+    QVERIFY(!isShown());
+    bench().select({bench().session().model().ref(0)});
+    QTest::mouseClick(row, Qt::LeftButton);
+    QVERIFY(isShown());
+    QVERIFY(m_picture->isKept() && marks().hasCard);
+    QVERIFY(bench().interaction().selection().empty());
 }
 
 FFF_TEST_WITH(TestStressPicture, [](int argc, char *argv[]) {

@@ -73,6 +73,14 @@ void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *opt
         painter->restore();
         return;
     }
+    if (element == PE_FrameMenu) {
+        painter->save();
+        painter->setPen(theme().strong);
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+        return;
+    }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_FrameLineEdit || element == PE_IndicatorCheckBox ||
         element == PE_IndicatorItemViewItemCheck)

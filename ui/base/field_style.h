@@ -1,4 +1,4 @@
-// Fusion, but fields and check boxes have the border that the theme gives them (three to one
+// Fusion, but fields, check boxes and menus have the border that the theme gives them (three to one
 // against the window, which Fusion's own is not in dark), and a frame in the accent's colour while
 // they have the focus.
 // Scroll bars are thin and have no arrows: what they scroll has the room.

@@ -119,6 +119,7 @@ void StressPicture::keep(int line)
 /// A list beside the view asks: its line is the one with the same ends.
 void StressPicture::ask(const WeakPlace *place, bool opensCard)
 {
+    marks(); // they may only now be wanted
     const auto &lines = m_marks.lines;
     const auto found = std::find_if(lines.begin(), lines.end(), [place](const StressLine &line) {
         return place && line.from == place->from && line.to == place->to;

@@ -160,6 +160,7 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
 void PhysicsDock::showEvent(QShowEvent *event)
 {
     QDockWidget::showEvent(event);
+    showStressOnce();
     refresh();
 }
 
@@ -454,10 +455,24 @@ bool PhysicsDock::eventFilter(QObject *watched, QEvent *event)
     return QDockWidget::eventFilter(watched, event);
 }
 
+/// With its line and what is known of it; handles of the section would lie over that.
 void PhysicsDock::frame(const WeakPlace &place)
 {
+    m_bench.run(QStringLiteral("check.stress"), {{"on", "true"}});
     m_bench.select({place.section});
     m_bench.run(QStringLiteral("view.fitSelection"));
+    m_bench.select({});
+    Q_EMIT m_bench.weakPlaceAsked(&place, true);
+}
+
+/// Who opens this to see how the model bears what is on it sees that at once, and turns it off for
+/// good.
+void PhysicsDock::showStressOnce()
+{
+    if (m_hasShownStress || m_bench.session().model().document.loads.empty())
+        return;
+    m_hasShownStress = true;
+    m_bench.run(QStringLiteral("check.stress"), {{"on", "true"}});
 }
 
 } // namespace fff::ui

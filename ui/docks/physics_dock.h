@@ -61,9 +61,11 @@ private:
     void refreshPlaces();
     std::vector<Place> weakestPlaces() const;
     void frame(const WeakPlace &place);
+    void showStressOnce();
 
     Workbench &m_bench;
     std::shared_ptr<const Holding> m_held; // null: nothing is known
+    bool m_hasShownStress = false;
     QLabel *m_stateIcon = nullptr, *m_state = nullptr;
     QCheckBox *m_lines = nullptr, *m_bends = nullptr;
     QToolButton *m_stop = nullptr; // what is worked out with sections that bend
