@@ -76,8 +76,32 @@ void keepPoint(const Vec3 &point, const Wall &wall, Nearest &best)
     keep(point, wall.at(share(wall.along, r), share(wall.across, r)), best);
 }
 
+/// Where a segment goes through a wall.
+void keepThrough(const Vec3 &from, const Vec3 &way, const Wall &wall, Nearest &best)
+{
+    const Vec3 normal = wall.along.cross(wall.across);
+    const double a = normal.dot(from - wall.corner), b = a + normal.dot(way);
+    if ((a < 0.0) == (b < 0.0))
+        return;
+    const Vec3 point = from + a / (a - b) * way, r = point - wall.corner;
+    const double s = wall.along.dot(r) / wall.along.squaredNorm();
+    const double u = wall.across.dot(r) / wall.across.squaredNorm();
+    if (std::min(s, u) >= 0.0 && std::max(s, u) <= 1.0)
+        keep(point, point, best);
+}
+
+void keepEdgesThrough(const Wall &edges, const Wall &wall, Nearest &best)
+{
+    for (const double i : {0.0, 1.0}) {
+        keepThrough(edges.at(0, i), edges.along, wall, best);
+        keepThrough(edges.at(i, 0), edges.across, wall, best);
+    }
+}
+
 void keepWalls(const Wall &a, const Wall &b, Nearest &best)
 {
+    keepEdgesThrough(a, b, best);
+    keepEdgesThrough(b, a, best);
     Nearest reverse = swapped(best);
     for (const double s : {0.0, 1.0})
         for (const double u : {0.0, 1.0}) {

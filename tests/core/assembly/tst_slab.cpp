@@ -50,6 +50,7 @@ class TestSlab : public QObject
 private Q_SLOTS:
     void distances_data();
     void distances();
+    void whatMeetsIsNotApart();
     void distanceIsThatOfBoxes();
     void distanceHasNoSides();
     void holesCount();
@@ -90,6 +91,24 @@ void TestSlab::distances()
     QVERIFY(std::abs((found.onA - found.onB).norm() - found.distance) < 1e-9);
     QVERIFY((nearestOfBox(found.onA, a) - found.onA).norm() < 1e-6);
     QVERIFY((nearestOfBox(found.onB, b) - found.onB).norm() < 1e-6);
+}
+
+// Rectangles so near that most go through each other, and by edges alone.
+void TestSlab::whatMeetsIsNotApart()
+{
+    std::mt19937 random(5);
+    int met = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Region one{rectangle(-30, -10, 30, 10), {}}, two{rectangle(-5, -40, 5, 40), {}};
+        const Frame frameA = anywhere(random, 25), frameB = anywhere(random, 25);
+        const Slab a{one, frameA, 4.0}, b{two, frameB, 2.0};
+        if (distanceByProjections(a, b) > 1e-7)
+            continue;
+        ++met;
+        const double found = nearestPoints(a, b).distance;
+        QVERIFY2(found == 0.0, qPrintable(QStringLiteral("%1: %2").arg(round).arg(found)));
+    }
+    QVERIFY(met > 30);
 }
 
 // Rectangles anywhere, by another method.
