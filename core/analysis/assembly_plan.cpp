@@ -251,8 +251,13 @@ ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
     PlanOptions options;
     options.isOutOfTime = isOutOfTime;
     result.overlaps = overlapsOf(collisions, isOutOfTime);
-    for (const PartOverlap &overlap : result.overlaps)
-        options.ignored.emplace_back(overlap.a, overlap.b);
+    // What is in each other in its place may be so on its way, but no deeper.
+    for (const PartOverlap &overlap : result.overlaps) {
+        options.inEachOther.emplace_back(overlap.a, overlap.b);
+        collisions.press(overlap.a, overlap.b,
+                         std::max(collisions.depth(overlap.a, overlap.b), overlap.how.depth) +
+                             kTouchingDepth);
+    }
     const std::vector<Slide> slides = slidesOf(analysis);
     result.plan = planAssembly(collisions, slides, options);
     if (result.plan.locked.size() == 2)

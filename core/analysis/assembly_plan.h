@@ -23,7 +23,7 @@ struct Stop
 struct ModelPlan
 {
     Bodies bodies;                     // the plan's indices: its parts
-    std::vector<PartOverlap> overlaps; // in the order of (a, b); the plan passes them over
+    std::vector<PartOverlap> overlaps; // in the order of (a, b); on its way none is deeper
     AssemblyPlan plan;
     std::optional<Stop> stop;     // of two that are locked
     std::optional<Error> failure; // why nothing is known: haveSolids(); then there are no bodies

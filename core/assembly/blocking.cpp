@@ -45,7 +45,8 @@ Blocking::Blocking(Collisions &collisions, const std::vector<Slide> &slides,
     m_freeWays = static_cast<int>(m_ways.size());
     for (const Slide &slide : slides) {
         const int there = indexOf(slide.direction), back = indexOf(-slide.direction);
-        const bool isHeld = slide.play < 0.5 * std::numbers::pi && !isIgnored(slide.a, slide.b);
+        const bool isHeld =
+            slide.play < 0.5 * std::numbers::pi && !areInEachOther(slide.a, slide.b);
         const double sine = std::sin(slide.play);
         const int hold = isHeld ? static_cast<int>(m_holds.size()) : kNone;
         if (isHeld)
@@ -202,9 +203,9 @@ std::vector<int> Blocking::waysApart() const
     return ways;
 }
 
-bool Blocking::isIgnored(int a, int b) const
+bool Blocking::areInEachOther(int a, int b) const
 {
-    return std::binary_search(m_options.ignored.begin(), m_options.ignored.end(),
+    return std::binary_search(m_options.inEachOther.begin(), m_options.inEachOther.end(),
                               std::pair(std::min(a, b), std::max(a, b)));
 }
 
@@ -216,7 +217,7 @@ Blocking::Obstacles &Blocking::obstaclesOf(int part, int direction)
         return obstacles;
     const SweptBox swept(m_collisions.solid(part).box, way(direction).along, kTouchingDepth);
     m_boxes.any(swept, [&](int other) {
-        if (other != part && !isIgnored(part, other))
+        if (other != part)
             obstacles.all.push_back({other, {}});
         return false;
     });
@@ -435,8 +436,7 @@ std::optional<int> Blocking::stopBeyond(int part, const Vec3 &by, const Vec3 &di
     const SweptBox swept({box.min + by, box.max + by}, direction, kTouchingDepth);
     std::optional<int> stop;
     m_boxes.any(swept, [&](int other) {
-        if (other == part || !has(other) || isIgnored(part, other) ||
-            m_collisions.comesFree(part, other, way, lift))
+        if (other == part || !has(other) || m_collisions.comesFree(part, other, way, lift))
             return false;
         stop = other;
         return true;

@@ -97,7 +97,7 @@ private:
     const Way &way(int direction) const { return m_ways[static_cast<std::size_t>(direction)]; }
     std::vector<int> waysOff(int part);
     std::vector<int> waysApart() const;
-    bool isIgnored(int a, int b) const;
+    bool areInEachOther(int a, int b) const;
     /// Of all parts, there or not.
     Obstacles &obstaclesOf(int part, int direction);
     bool isInTheWay(Obstacle &obstacle, int part, int direction);

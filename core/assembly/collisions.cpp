@@ -1,6 +1,7 @@
 #include "core/assembly/collisions.h"
 
 #include "core/assembly/encounter.h"
+#include "core/assembly/overlap_depth.h"
 
 #include <algorithm>
 #include <bit>
@@ -229,21 +230,25 @@ double Collisions::wayToClear(int a, int b, int way, int lift)
 
 const std::optional<Interpenetration> &Collisions::overlap(int a, int b)
 {
-    const auto deepest = [](Encounter &encounter) { return encounter.deepest(); };
     const Question asked = question(a, b, -1, kNotLifted);
-    const auto &found = answer(
-        m_overlaps, asked, a, b, [&] { return Encounter(solid(a), solid(b), depth(a, b)); },
-        deepest);
+    // From the prisms that an Encounter of them holds, and no others.
+    const auto of = [&](auto &known, const Solid &first, const Solid &second) -> const auto &
+    {
+        return answer(
+            known, asked, a, b, [&] { return Encounter(first, second, asked.depth); },
+            [&](Encounter &still) { return overlapOf(first, second, still); });
+    };
+    const auto &found = of(m_overlaps, solid(a), solid(b));
     const std::shared_ptr<const Solid> &wholeA = solid(a).whole, &wholeB = solid(b).whole;
     if (!found || (!wholeA && !wholeB))
         return found;
-    const auto &measured = answer(
-        m_measured, asked, a, b,
-        [&] {
-            return Encounter(wholeA ? *wholeA : solid(a), wholeB ? *wholeB : solid(b), depth(a, b));
-        },
-        deepest);
+    const auto &measured = of(m_measured, wholeA ? *wholeA : solid(a), wholeB ? *wholeB : solid(b));
     return measured ? measured : found;
+}
+
+void Collisions::press(int a, int b, double depth)
+{
+    m_depths[std::minmax(a, b)] = depth;
 }
 
 } // namespace fff

@@ -47,8 +47,11 @@ public:
     /// How far a has to go until it is nowhere nearer to b than kNearParts, mm, from then on; 0
     /// when it is not on all the way.
     double wayToClear(int a, int b, int way, int lift = kNotLifted);
-    /// As they are; a < b.
+    /// As they are (overlap_depth.h); a < b.
     const std::optional<Interpenetration> &overlap(int a, int b);
+
+    /// From now on these two may be that deep in each other, mm.
+    void press(int a, int b, double depth);
 
     /// So near they still touch; beyond, a way is over. mm
     static constexpr double kNearParts = 0.02;

@@ -57,18 +57,6 @@ void extend(Extent &extent, const Extent &by)
     extent.max = std::max(extent.max, by.max);
 }
 
-/// The middle of what the boxes of two prisms share.
-Vec3 middleOf(const PrismPairs &pairs, const PairedPrism &a, const PairedPrism &b)
-{
-    Vec3 middle;
-    for (int i = 0; i < 3; ++i) {
-        const Extent first = pairs.mover().extent(a.corners, Vec3::Unit(i));
-        const Extent second = pairs.other().extent(b.corners, Vec3::Unit(i));
-        middle[i] = 0.5 * (std::max(first.min, second.min) + std::min(first.max, second.max));
-    }
-    return middle;
-}
-
 /// Whether the boxes come as near as that on the way.
 bool keepBoxes(const Box3 &a, const Box3 &b, const Vec3 &direction, double depth, Travel &way)
 {
@@ -342,18 +330,18 @@ double Encounter::wayToClear()
     return last;
 }
 
-std::optional<Interpenetration> Encounter::deepest()
+std::vector<Encounter::Meeting> Encounter::meetings()
 {
-    std::optional<Interpenetration> deepest;
+    std::vector<Meeting> found;
     const auto rank = [](const Candidate &) { return 0.0; };
     const auto all = [](const Candidate &, const Candidate &) { return true; };
     forEachMeeting(rank, all, [&](Candidate &p, Candidate &q, const Travel &, Travel &) {
         const double depth = m_pairs.depthOf(p.prism, q.prism);
-        if (depth > m_depth && (!deepest || depth > deepest->depth))
-            deepest = Interpenetration{depth, middleOf(m_pairs, p.prism, q.prism)};
+        if (depth > m_depth)
+            found.push_back({{p.triangle, q.triangle}, depth});
         return true;
     });
-    return deepest;
+    return found;
 }
 
 bool prismsMeet(const Solid &a, const Solid &b, const PrismIndices &prisms, const Vec3 &direction,

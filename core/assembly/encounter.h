@@ -51,8 +51,13 @@ public:
     /// How far a has to go until they are nowhere so near any more (mm, from then on); 0 when they
     /// are not on all the way.
     double wayToClear();
-    /// How deep they are in each other, and where; nothing when they only touch, to the depth.
-    std::optional<Interpenetration> deepest();
+    /// Two prisms that are in each other deeper than the depth, and how deep.
+    struct Meeting
+    {
+        PrismIndices prisms;
+        double depth = 0.0; // mm
+    };
+    std::vector<Meeting> meetings();
 
     /// So many pairs of prisms were looked at.
     std::size_t pairsLookedAt() const { return m_pairCount; }

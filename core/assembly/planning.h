@@ -68,9 +68,9 @@ struct AssemblyPlan
 
 struct PlanOptions
 {
-    /// Pairs (lower first) that are in each other where they end up, and would be in each other's
-    /// way whatever is done: passed over. Ascending.
-    std::vector<std::pair<int, int>> ignored;
+    /// Pairs (lower first) that are in each other where they end up, and no deeper on their way
+    /// than Collisions says; ascending. Their slits tell nothing about them.
+    std::vector<std::pair<int, int>> inEachOther;
     std::function<bool()> isOutOfTime; // asked again and again; empty: never
 };
 

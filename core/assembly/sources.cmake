@@ -23,6 +23,7 @@ target_sources(fff_core PRIVATE
     assembly/lobes.cpp
     assembly/locking.cpp
     assembly/nonnegative_fit.cpp
+    assembly/overlap_depth.cpp
     assembly/planning.cpp
     assembly/playback.cpp
     assembly/prism_pair.cpp

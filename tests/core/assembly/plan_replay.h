@@ -6,19 +6,32 @@
 
 #include <QString>
 
+#include <map>
 #include <set>
 #include <utility>
 
 namespace fff::test {
 
 /// What is wrong with a plan; empty when it can be carried out. Parts that are in each other where
-/// they end up are passed over, as they are in planning.
+/// they end up may be so on their way, but must not go through each other.
 inline QString fault(const Analysis &analysis, const ModelPlan &plan)
 {
     const std::vector<CutPlate> plates = platesOf(analysis.bodies);
-    std::set<std::pair<int, int>> ignored;
+    constexpr double kInset = 0.5e-3; // mm
+    std::map<std::pair<int, int>, double> overlapping;
     for (const PartOverlap &overlap : plan.overlaps)
-        ignored.emplace(overlap.a, overlap.b);
+        overlapping[{overlap.a, overlap.b}] = overlap.how.depth;
+    // Of what overlaps, the middles: they share more than a plate's thickness where one goes
+    // through the other. What is as deep in it as that where it ends up cannot be made anyway.
+    const auto runsInto = [&](int part, int other, const Vec3 &by) {
+        const CutPlate &still = plates[static_cast<std::size_t>(other)],
+                       &moved = plates[static_cast<std::size_t>(part)];
+        const auto known = overlapping.find(std::minmax(part, other));
+        const double half = std::min(still.half, moved.half);
+        if (known != overlapping.end() && known->second > half)
+            return false;
+        return areInEachOther(still, moved, by, known == overlapping.end() ? kInset : 0.98 * half);
+    };
     std::vector<std::set<int>> heaps; // of parts that are together
     const auto heapOf = [&](const auto &parts) {
         return std::find(heaps.begin(), heaps.end(), std::set(parts.begin(), parts.end()));
@@ -45,9 +58,7 @@ inline QString fault(const Analysis &analysis, const ModelPlan &plan)
                 const Vec3 by = place - move->direction * (move->distance * i / 50.0);
                 for (const int part : step.parts)
                     for (const int other : step.onto)
-                        if (!ignored.contains(std::minmax(part, other)) &&
-                            areInEachOther(plates[static_cast<std::size_t>(other)],
-                                           plates[static_cast<std::size_t>(part)], by))
+                        if (runsInto(part, other, by))
                             return where + QStringLiteral("%1 runs into %2").arg(part).arg(other);
             }
             place -= move->direction * move->distance;

@@ -7,6 +7,7 @@ fff_tests(tests_assembly LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/assembly/tst_joint_state
     core/assembly/tst_lobes
     core/assembly/tst_locking
+    core/assembly/tst_overlap_depth
     core/assembly/tst_playback
     core/assembly/tst_shared_models
     core/assembly/tst_shared_rows

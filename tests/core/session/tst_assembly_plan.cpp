@@ -102,6 +102,8 @@ private Q_SLOTS:
     void orderAndDirectionAreAsTheyMustBe();
     void whatIsKnownFromBeforeChangesNothing();
     void platesInEachOtherAreFound();
+    void whatOverlapsALittleIsStillInTheWay_data();
+    void whatOverlapsALittleIsStillInTheWay();
 };
 
 void TestAssemblyPlan::modelsWithAKnownAnswer_data()
@@ -137,6 +139,45 @@ void TestAssemblyPlan::whatIsBuiltFirstIsMovedAsOne()
     const ModelPlan plan = planOf(analyse(evaluate(furnished()), caches));
     QVERIFY(std::any_of(plan.plan.steps.begin(), plan.plan.steps.end(),
                         [](const AssemblyStep &step) { return step.parts.size() == 2; }));
+}
+
+void TestAssemblyPlan::whatOverlapsALittleIsStillInTheWay_data()
+{
+    QTest::addColumn<double>("overlap"); // mm, where they end up
+    for (const double overlap : {-0.5, 0.0, 0.1, 0.29, 0.35, 1.0, 1.5})
+        QTest::addRow("%g", overlap) << overlap;
+}
+
+/// What would be wrong: of two that touch a little too much in their place, one goes through the
+/// other on its way there.
+void TestAssemblyPlan::whatOverlapsALittleIsStillInTheWay()
+{
+    QFETCH(const double, overlap);
+    const auto polygon = [](const Polygon &points) { return polygonShape(points); };
+    // The spine; a board with a wide end that slides in from its end, level; one from above, whose
+    // arm lies below the board and whose tower stands behind its wide end. Either has to be first.
+    Document document =
+        withSection(newDocument(),
+                    polygon({{-60, 0}, {24, 0}, {24, 60}, {0, 60}, {0, 90}, {-60, 90}}), front());
+    document = withSection(
+        std::move(document),
+        polygon(
+            {{-30, -50}, {10, -50}, {10, -30}, {40, -30}, {40, 30}, {10, 30}, {10, 50}, {-30, 50}}),
+        {Vec3(0, 70, 0), Vec3::UnitX(), -Vec3::UnitZ()});
+    const double top = 68.5 + overlap;
+    document = withSection(
+        std::move(document),
+        polygon({{-50, 0}, {20, 0}, {20, top}, {-30.5, top}, {-40, top}, {-40, 110}, {-50, 110}}),
+        {Vec3(20, 0, 0), -Vec3::UnitZ(), Vec3::UnitY()});
+    Stock stock = *document.stocks.front();
+    stock.clearance = 0.0;
+    document = setStock(document, stock).value();
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(evaluate(document), caches);
+    QCOMPARE(analysis.assembly.joints.size(), std::size_t(2));
+    const ModelPlan plan = planOf(analysis);
+    QCOMPARE(plan.overlaps.size(), std::size_t(overlap > 0.0 ? 1 : 0));
+    QCOMPARE(static_cast<int>(plan.plan.verdict), static_cast<int>(Verdict::Impossible));
 }
 
 /// What would be wrong: a person is told to push where it does not go, or what comes last first.

@@ -5,7 +5,7 @@
 
 #include "core/analysis/checks.h"
 #include "core/analysis/plan_checks.h"
-#include "core/assembly/encounter.h"
+#include "core/assembly/overlap_depth.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/fabrication/kerf.h"
@@ -163,7 +163,7 @@ void TestSlitEnds::partsSeatAtTheSquareBottom()
         const Slide slide = slidesOf(analysis).at(0);
         constexpr double kDeeper = 0.3; // mm: how far it is pushed on
         const Solid moved = movedBy(*solids[1], -kDeeper * slide.direction);
-        const auto pushed = Encounter(moved, *solids[0], kTouchingDepth).deepest();
+        const auto pushed = overlapOf(moved, *solids[0], kTouchingDepth);
         QVERIFY(pushed);
         if (end == SlitEnd::Square || end == SlitEnd::TBone) {
             QVERIFY(pushed->depth > kDeeper - 2.0 * kTouchingDepth);
