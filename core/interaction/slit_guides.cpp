@@ -21,6 +21,8 @@ constexpr int kHalvings = 60;
 constexpr double kFarthest = 0.25;
 /// Radians: an edge that a hand drew is off level or upright by so much without meaning it.
 constexpr double kOfWorld = 0.035;
+/// Of the slit's length, from which on what was drawn of it in the section says where it goes.
+constexpr double kSure = 0.5;
 /// How far a guide is seen beyond the slit, px.
 constexpr double kBeyond = 60.0;
 
@@ -99,13 +101,16 @@ std::optional<SlitGuide> SlitGuides::lead(Stroke &stroke, bool snaps) const
     stroke.leadSlit({});
     const bool hasLeft = stroke.state() == Stroke::State::Turn;
     const Vec2 way = stroke.slitTo() - m_from;
+    const Vec2 inside = stroke.lastInside() - m_from;
     const double length = way.norm();
     if (!snaps || length < kMinOverlap)
         return {};
     std::optional<SlitGuide> nearest;
     double least = 0.0; // of the nearest
     for (const Direction &direction : m_directions) {
-        const double angle = turnBetween(direction.along, way);
+        double angle = turnBetween(direction.along, way);
+        if (inside.norm() > kSure * length)
+            angle = std::min(angle, turnBetween(direction.along, inside));
         // What is as near as the one before is no better.
         // One that nearly fits and is the world's goes before one that a hand drew.
         const bool isOfWorld =

@@ -369,22 +369,19 @@ bool StrokeGesture::hasOffer() const
     return m_movedIn && !m_isMovedIn;
 }
 
-/// A section whose slit would hold nothing, where it is held when it is moved in.
+/// As it was said while it was drawn, where it is held when it is moved in.
 void StrokeGesture::offerMovedIn(const GestureContext &context)
 {
     if (!hasOffer())
         return;
     const StrokeContour &contour = m_stroke.contour();
     const Document &before = context.model.document;
-    const DrawnContour &drawn = **m_drawn;
     tl::expected<DrawnContour, Hint> moved =
         drawContour(before, *m_movedIn, *contour.contour, rulesOf(context));
     if (!moved)
         return;
-    const auto judged = [&](const DrawnContour &one) {
-        return judgedSlit(before, *m_ground->section, *one.document.find(one.section.drawn));
-    };
-    if (judged(drawn).isHeld || !judged(*moved).isHeld)
+    const Section &section = *moved->document.find(moved->section.drawn);
+    if (!judgedSlit(before, *m_ground->section, section).isHeld)
         return;
     m_offer = ShapeOffer();
     m_offer->step = {steps::kMoveIn, {Named{moved->name}}};

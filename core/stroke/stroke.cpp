@@ -178,6 +178,7 @@ const StrokeContour &Stroke::contour() const
 void Stroke::moveInSection(const Sample &sample)
 {
     const std::optional<Vec2> leaving = m_interior->leavingPoint(m_last, sample.point);
+    m_lastInside = leaving ? m_last : sample.point;
     m_last = sample.point;
     m_slitTo = m_slitDrawn = leaving.value_or(sample.point);
     if (!leaving)

@@ -87,6 +87,9 @@ public:
     /// The slit in the section's frame; until it has left, it ends at the cursor.
     const Vec2 &slitFrom() const { return m_slitFrom; }
     const Vec2 &slitTo() const { return m_slitTo; }
+    /// The last that was drawn in the section: in haste that is a good way before it left, on which
+    /// the hand may have turned already.
+    const Vec2 &lastInside() const { return m_lastInside; }
     double slitLength() const { return (m_slitTo - m_slitFrom).norm(); }
     double tolerance() const { return m_options.contour.tolerance; }
     double deadZoneRadius() const { return m_options.deadZoneRadius; }
@@ -121,7 +124,8 @@ private:
     std::optional<Interior> m_interior;
     Vec2 m_slitFrom = Vec2::Zero(), m_slitTo = Vec2::Zero();
     Vec2 m_slitDrawn = Vec2::Zero(); // its end, led by nothing
-    double m_turnStart = 0.0;        // ms
+    Vec2 m_lastInside = Vec2::Zero();
+    double m_turnStart = 0.0; // ms
     Vec2 m_last = Vec2::Zero();
     SteadyHand m_hand;
     ThinnedLine m_line;

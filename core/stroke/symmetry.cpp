@@ -180,8 +180,10 @@ struct HalfLine
 HalfLine halfLine(Line line, double tolerance, double largest)
 {
     const double reach = FitOptions().reach * tolerance;
-    const bool isClosed =
-        (line.front() - line.back()).norm() <= std::max(reach, kClosingGap * largest);
+    // Ends that lie nearer to the axis than to each other are meant to meet that.
+    const double gap = (line.front() - line.back()).norm();
+    const bool isBesideAxis = gap < std::max(line.front().y(), line.back().y());
+    const bool isClosed = gap <= reach || (gap <= kClosingGap * largest && isBesideAxis);
     if (isClosed) {
         const auto under =
             std::find_if(line.begin(), line.end(), [](const Vec2 &p) { return p.y() <= 0.0; });

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void whatIsDrawnOverItsSlitStays();
     void ctrlLeavesItFree();
     void aCircleThatIsTakenIsHeld();
+    void halfWingsAreMirrored();
 };
 
 void TestLegs::aLegIsHeld_data()
@@ -156,6 +157,21 @@ void TestLegs::aCircleThatIsTakenIsHeld()
     desk.interaction.takeOffer(desk.time);
     QCOMPARE(desk.session.history()->count(), 3);
     QVERIFY(isHeld());
+}
+
+// Wrong: who draws one half of a wide pair, from the slit out and back to it, has one arm.
+void TestLegs::halfWingsAreMirrored()
+{
+    const std::vector<Vec2> down{{29, 20}, {209, -10}, {359, 20}, {359, 90}, {159, 70}, {0, 65}};
+    const std::vector<Vec2> out{{29, 0}, {209, -30}, {359, 0}, {359, 70}, {159, 50}, {0, 45}};
+    for (const std::vector<Vec2> &way : {down, out})
+        for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+            Desk desk;
+            leave(desk, {0, -60}, {0, -1});
+            draw(desk, way, seed);
+            QCOMPARE(desk.sections().size(), std::size_t(2));
+            QVERIFY2(desk.sections()[1]->symmetry, qPrintable(QString::number(seed)));
+        }
 }
 
 FFF_TEST(TestLegs)

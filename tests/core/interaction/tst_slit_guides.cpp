@@ -81,6 +81,7 @@ private Q_SLOTS:
     void squareToACurve();
     void alongTheLastSlit();
     void leaningSectionsHaveTheirOwnUpright();
+    void inHasteItIsWhatWasDrawnInside();
     void tangentialSlitsStayWhereTheyLeave();
     void theGuideIsSeenBeforeItLeaves();
     void controlLeavesItFree();
@@ -213,6 +214,27 @@ void TestSlitGuides::leaningSectionsHaveTheirOwnUpright()
 }
 
 // Wrong: a stroke that leaves almost along an edge jumps to the other end of the section.
+// Wrong: of a quick stroke, whose next sample after the last one in the section is round a corner
+// already, the slit slants towards that.
+void TestSlitGuides::inHasteItIsWhatWasDrawnInside()
+{
+    const Model model{Document(), {}};
+    const SectionPointer section = upright(polygonOf(4, 100.0, 45.0)); // to y = 70.7
+    const Vec2 from(5.0, 30.0), last(6.5, 66.0);
+    for (const bool turns : {true, false}) {
+        Stroke stroke(Stroke::Options{});
+        stroke.beginInSection(section->shape, {0.0, from});
+        stroke.move({8.0, from + 0.5 * (last - from)});
+        stroke.move({16.0, turns ? last : Vec2(5.2, 36.0)});
+        stroke.move({24.0, Vec2(40.0, 100.0)});
+        const SlitGuides guides(model, section, from, Eigen::Quaterniond::Identity());
+        const auto guide = guides.lead(stroke, true);
+        QCOMPARE(guide && guide->kind == Leads::Upright, turns);
+        if (turns)
+            QCOMPARE(stroke.slitTo().x(), 5.0);
+    }
+}
+
 void TestSlitGuides::tangentialSlitsStayWhereTheyLeave()
 {
     const Model model{Document(), {}};
