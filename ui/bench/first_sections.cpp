@@ -3,6 +3,8 @@
 #include "core/session/check_list.h"
 #include "core/session/session.h"
 
+#include <utility>
+
 namespace fff::ui {
 
 namespace {
@@ -17,12 +19,18 @@ bool isBegun(const Document &document)
 
 } // namespace
 
-FirstSections::FirstSections(const Session &session, CheckList &list, QObject *parent)
-    : QObject(parent), m_session(session), m_list(list)
+FirstSections::FirstSections(const Session &session, CheckList &list,
+                             std::function<bool()> isDrawing, QObject *parent)
+    : QObject(parent), m_session(session), m_list(list), m_isDrawing(std::move(isDrawing))
 {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause);
-    connect(&m_pause, &QTimer::timeout, this, &FirstSections::takeAsIs);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_isDrawing())
+            m_pause.start();
+        else
+            takeAsIs();
+    });
     connect(&session, &Session::modelChanged, this, &FirstSections::follow);
 }
 

@@ -5,6 +5,8 @@
 #include <QObject> // first: moc stumbles over some standard headers
 #include <QTimer>
 
+#include <functional>
+
 namespace fff {
 
 class CheckList;
@@ -21,7 +23,9 @@ public:
     static constexpr int kPause = 3000;
 
     /// Both outlive it.
-    FirstSections(const Session &session, CheckList &list, QObject *parent = nullptr);
+    /// isDrawing  whether something is in the hand: then nobody has left the model alone
+    FirstSections(const Session &session, CheckList &list, std::function<bool()> isDrawing,
+                  QObject *parent = nullptr);
 
     /// Now: it is to be cut.
     void takeAsIs();
@@ -31,6 +35,7 @@ private:
 
     const Session &m_session;
     CheckList &m_list;
+    std::function<bool()> m_isDrawing;
     QTimer m_pause;
 };
 

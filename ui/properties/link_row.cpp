@@ -3,6 +3,7 @@
 #include "ui/base/theme.h"
 
 #include <QAbstractButton>
+#include <QCursor>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace fff::ui {
 
@@ -18,6 +20,14 @@ namespace {
 
 constexpr int kBetween = 16; // px, with the dot in the middle
 constexpr int kAround = 2;   // px, for the frame of the focus
+
+/// Where a link was clicked last, on the screen. What comes under a cursor that rests there was not
+/// pointed at: other links take the place of those that have done what they say.
+QPoint &lastClick()
+{
+    static QPoint place(-1, -1);
+    return place;
+}
 
 /// Words to be clicked, in several lines where they are long. A word longer than a line is cut
 /// short; the tip says all of them.
@@ -75,6 +85,7 @@ protected:
     void mousePressEvent(QMouseEvent *event) override
     {
         m_isByKey = false;
+        lastClick() = QCursor::pos();
         QAbstractButton::mousePressEvent(event);
     }
     void keyPressEvent(QKeyEvent *event) override
@@ -93,7 +104,12 @@ protected:
     }
     bool event(QEvent *event) override
     {
-        if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn)
+        if (event->type() == QEvent::Enter)
+            m_isPassedOver = QCursor::pos() == lastClick();
+        const bool isPointedAt =
+            event->type() == QEvent::HoverMove && std::exchange(m_isPassedOver, false);
+        if ((event->type() == QEvent::Enter && !m_isPassedOver) || isPointedAt ||
+            event->type() == QEvent::FocusIn)
             m_hovered(true);
         else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut ||
                  event->type() == QEvent::Hide)
@@ -110,6 +126,7 @@ private:
     static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter;
     std::function<void(bool)> m_hovered; // also by the focus
     bool m_isByKey = false;
+    bool m_isPassedOver = false; // it came under the cursor by itself
 
     bool isCutShort() const { return wrapped(width()).width() > width() - 2 * kAround; }
     bool isOneLine(int width) const { return width >= sizeHint().width(); }

@@ -158,7 +158,7 @@ public:
     void operator()(const sign::Ground &ground)
     {
         if (m_layer == Layer::Ground)
-            paintGround(m_pen, ground, m_scene.isGroundHatched);
+            paintGround(m_pen, ground, m_scene.isGroundHatched, m_scene.unit, m_locale);
     }
     void operator()(const sign::Guides &guides)
     {

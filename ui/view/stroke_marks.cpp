@@ -98,6 +98,17 @@ void paintCursor(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, cons
              pen.style().muted, MarkPen::Rank::InHand);
 }
 
+/// px from the lower edge of the view to where the line is under the middle of that; 0 where it is
+/// in sight there, or is not level.
+double belowTheView(const MarkPen &pen, const QPainterPath &line)
+{
+    const QPointF from = line.elementAt(0), to = line.elementAt(1), way = to - from;
+    if (!(std::abs(way.x()) > std::abs(way.y())))
+        return 0.0;
+    const double y = from.y() + way.y() * (0.5 * pen.viewport().x() - from.x()) / way.x();
+    return std::max(0.0, y - pen.viewport().y());
+}
+
 } // namespace
 
 void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas)
@@ -127,11 +138,21 @@ void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, con
              MarkPen::Rank::InHand);
 }
 
-void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched)
+void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched, LengthUnit unit,
+                 const QLocale &locale)
 {
     const QPainterPath line = endless(pen, ground.point, ground.direction);
     if (line.isEmpty())
         return;
+    if (const double beyond = belowTheView(pen, line); beyond > 0.0) {
+        constexpr double kAbove = 22.0; // px, of the lower edge
+        const double scale = pen.camera().scaleAt(ground.point, pen.viewport());
+        pen.chip({0.5 * pen.viewport().x(), pen.viewport().y() - kAbove}, MarkPen::Anchor::Middle,
+                 //: %1 is a length
+                 StrokeMarksTexts::tr("Ground %1 below this edge")
+                     .arg(lengthText(beyond * scale, unit, 0, 1, locale)),
+                 pen.style().muted, MarkPen::Rank::InHand);
+    }
     if (!isHatched) {
         const QPointF from = line.elementAt(0), to = line.elementAt(1);
         // Down on the screen from the line: the halfplane below the ground.

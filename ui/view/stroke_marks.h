@@ -11,7 +11,9 @@
 namespace fff::ui {
 
 /// isHatched: what is below the ground is hatched already.
-void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched);
+/// Where it is, when it lies below what is seen: legs are drawn towards it.
+void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched, LengthUnit unit,
+                 const QLocale &locale);
 /// All but its end. isSlitAxis: what it is mirrored across is its slit.
 void paintContour(MarkPen &pen, const sign::Stroke &stroke, bool isSlitAxis);
 /// Where the cursor is, and how large it is so far.

@@ -173,7 +173,9 @@ void MainWindow::makeDocks()
 {
     m_checkList = new CheckList(m_bench->session(),
                                 Settings::dataFolder() + QStringLiteral("/reports"), this);
-    m_firstSections = new FirstSections(m_bench->session(), *m_checkList, this);
+    m_firstSections = new FirstSections(
+        m_bench->session(), *m_checkList, [this] { return m_bench->interaction().hasGesture(); },
+        this);
     const auto followRules = [this] {
         m_bench->session().scheduler().setRules(checkRules(settings()));
     };

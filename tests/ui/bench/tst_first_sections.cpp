@@ -39,7 +39,7 @@ private Q_SLOTS:
     {
         Session session;
         CheckList list{session};
-        FirstSections first(session, list);
+        FirstSections first(session, list, [] { return false; });
         session.commit(QStringLiteral("Draw"),
                        withSection(newDocument(), plateOf(-50, 0, 50, 60), raised()));
         list.finish();
@@ -68,7 +68,7 @@ private Q_SLOTS:
     {
         Session session;
         CheckList list{session};
-        FirstSections first(session, list);
+        FirstSections first(session, list, [] { return false; });
         Document document = newDocument();
         for (int i = 0; i < 4; ++i)
             document = withSection(document, plateOf(-50, 0, 50, 60), side(100.0 * i));
@@ -82,7 +82,7 @@ private Q_SLOTS:
     {
         Session session;
         CheckList list{session};
-        FirstSections first(session, list);
+        FirstSections first(session, list, [] { return false; });
         session.reset(withSection(newDocument(), plateOf(-50, 0, 50, 60), raised()));
         list.finish();
         QCOMPARE(find(list, kNoContact)->severity, Severity::Error);
