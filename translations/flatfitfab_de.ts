@@ -562,10 +562,6 @@
         </translation>
     </message>
     <message>
-        <source>nothing is cut through</source>
-        <translation>nichts wird durchgeschnitten</translation>
-    </message>
-    <message>
         <source>Move the slit in from the edge, or let one of them end before the other.</source>
         <translation>Den Schlitz vom Rand weg rücken oder eine Scheibe vor der anderen enden lassen.</translation>
     </message>
@@ -638,7 +634,6 @@
     </message>
     <message>
         <source>Barely holds %1</source>
-        <extracomment>%1 is a mass or a force</extracomment>
         <translation>Hält %1 nur knapp</translation>
     </message>
     <message>
@@ -782,10 +777,6 @@
     <message>
         <source>Give it a broader base or more weight, or push less, or lower down.</source>
         <translation>Ihm mehr Standfläche oder Gewicht geben, oder weniger oder tiefer unten drücken.</translation>
-    </message>
-    <message>
-        <source>Give it a second foot</source>
-        <translation>Einen zweiten Fuß geben</translation>
     </message>
     <message>
         <source>Bends %1.</source>
@@ -982,17 +973,6 @@
         <translation>Eine davon kürzen oder so drehen, dass sie in derselben Richtung gleitet wie die anderen.</translation>
     </message>
     <message>
-        <source>%1 form a ring: each of these has to go in before the others.</source>
-        <translation>%1 bilden einen Ring: Jede davon müsste vor den anderen hinein.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
-        <translation>
-            <numerusform>%n Ring aus Scheiben, in dem jede vor den anderen hinein müsste.</numerusform>
-            <numerusform>%n Ringe aus Scheiben, in denen jede vor den anderen hinein müsste.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Raise it to the ground</source>
         <translation>Auf den Boden anheben</translation>
     </message>
@@ -1139,6 +1119,92 @@
         <source>%1 breaks %2 from %3.</source>
         <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a mass</extracomment>
         <translation>%1 bricht %2 ab %3.</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 into %2 parts; nothing holds them, the largest being %3.</source>
+        <extracomment>%1 is the name of a section, %2 a number from 2 on, %3 a size</extracomment>
+        <translation>Schlitze teilen %1 in %2 Teile; nichts hält sie, das größte ist %3.</translation>
+    </message>
+    <message>
+        <source>Can be assembled. But nothing holds one of the parts.</source>
+        <translation>Lässt sich zusammenbauen. Aber nichts hält eines der Teile.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Can be assembled. But nothing holds %n of the parts.</source>
+        <translation>
+            <numerusform>Lässt sich zusammenbauen. Aber nichts hält %n der Teile.</numerusform>
+            <numerusform>Lässt sich zusammenbauen. Aber nichts hält %n der Teile.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Support it with a foot</source>
+        <translation>Mit einem Fuß stützen</translation>
+    </message>
+    <message>
+        <source>May crack</source>
+        <translation>Kann reißen</translation>
+    </message>
+    <message>
+        <source>May crack under %1</source>
+        <extracomment>%1 is a mass or a force</extracomment>
+        <translation>Kann unter %1 reißen</translation>
+    </message>
+    <message>
+        <source>Weakest is %1, %2: less than 1 % of its strength.</source>
+        <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;</extracomment>
+        <translation>Am schwächsten ist %1, %2: weniger als 1 % der Festigkeit.</translation>
+    </message>
+    <message>
+        <source>Use stock %1 thick</source>
+        <extracomment>%1 is the thickness, the least one that is sold and that holds</extracomment>
+        <translation>Material mit %1 Dicke nehmen</translation>
+    </message>
+    <message>
+        <source>nothing more is cut through</source>
+        <translation>nichts wird sonst durchgeschnitten</translation>
+    </message>
+    <message>
+        <source>new: %1</source>
+        <extracomment>after other things that change; %1 is a verdict such as &quot;Too little material&quot;</extracomment>
+        <translation>neu: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new remarks</source>
+        <translation>
+            <numerusform>%n neue Anmerkung</numerusform>
+            <numerusform>%n neue Anmerkungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Held by friction. The joint of %1 and %2 is pulled with %3 N, which only slits without play hold.</source>
+        <extracomment>%3 is a number of newtons</extracomment>
+        <translation>Von Reibung gehalten. An der Verbindung von %1 und %2 ziehen %3 N, die nur Schlitze ohne Spiel halten.</translation>
+    </message>
+    <message>
+        <source>Held by friction</source>
+        <translation>Von Reibung gehalten</translation>
+    </message>
+    <message>
+        <source>%1 form a ring: keep to the order of the steps.</source>
+        <translation>%1 bilden einen Ring: die Reihenfolge der Schritte einhalten.</translation>
+    </message>
+    <message>
+        <source>%1 form a ring: each of these has to go in before the others.</source>
+        <translation>%1 bilden einen Ring: Jede davon müsste vor den anderen hinein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections: keep to the order of the steps.</source>
+        <translation>
+            <numerusform>%n Ring aus Scheiben: die Reihenfolge der Schritte einhalten.</numerusform>
+            <numerusform>%n Ringe aus Scheiben: die Reihenfolge der Schritte einhalten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
+        <translation>
+            <numerusform>%n Ring aus Scheiben, in dem jede vor den anderen hinein müsste.</numerusform>
+            <numerusform>%n Ringe aus Scheiben, in denen jede vor den anderen hinein müsste.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6365,11 +6431,6 @@
         <translation>Druck auf %1 drehen</translation>
     </message>
     <message>
-        <source>Give %1 a second foot</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 einen zweiten Fuß geben</translation>
-    </message>
-    <message>
         <source>Make %1 wider where it is weak</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 breiter machen, wo sie schwach ist</translation>
@@ -6481,6 +6542,11 @@
         <source>Show template %1</source>
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Vorlage %1 einblenden</translation>
+    </message>
+    <message>
+        <source>Support %1 with a foot</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 mit einem Fuß stützen</translation>
     </message>
 </context>
 <context>
@@ -9380,6 +9446,11 @@
             <numerusform>%1, und noch %n hier</numerusform>
             <numerusform>%1, und noch %n hier</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ground %1 below this edge</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Boden %1 unter diesem Rand</translation>
     </message>
 </context>
 <context>

@@ -120,13 +120,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
-        <translation>
-            <numerusform>A ring of sections in which every section has to go in before the others.</numerusform>
-            <numerusform>%n rings of sections, in each of which every section has to go in before the others.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n pairs of sections only touch: they overlap by less than %1.</source>
         <extracomment>%1 is a length</extracomment>
         <translation>
@@ -146,6 +139,34 @@
         <translation>
             <numerusform>1 section reshaped</numerusform>
             <numerusform>%n sections reshaped</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Can be assembled. But nothing holds %n of the parts.</source>
+        <translation>
+            <numerusform>Can be assembled. But nothing holds %n of the parts.</numerusform>
+            <numerusform>Can be assembled. But nothing holds %n of the parts.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new remarks</source>
+        <translation>
+            <numerusform>%n new remark</numerusform>
+            <numerusform>%n new remarks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections: keep to the order of the steps.</source>
+        <translation>
+            <numerusform>%n ring of sections: keep to the order of the steps.</numerusform>
+            <numerusform>%n rings of sections: keep to the order of the steps.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
+        <translation>
+            <numerusform>%n ring of sections, in which every section has to go in before the others.</numerusform>
+            <numerusform>%n rings of sections, in each of which every section has to go in before the others.</numerusform>
         </translation>
     </message>
 </context>

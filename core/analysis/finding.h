@@ -57,6 +57,9 @@ struct FindingKind
     double (*spare)(const Finding &) = nullptr;
     /// Even as a note it says that something is lost: no mend may bring it.
     bool isLoss = false;
+    /// As long as it is wrong nothing else of its subject is known: what is wrong then was so all
+    /// along, and a mend that brings it to light helps.
+    bool hidesOthers = false;
     /// Its title while the first sections of a model are drawn, which may still mend it: "Not
     /// connected yet". Empty: it is wrong at once.
     Text yet = {};

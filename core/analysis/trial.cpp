@@ -169,8 +169,10 @@ bool helps(const Finding &finding, std::span<const Finding> before, std::span<co
         return !still;
     const std::optional<Burden> was = burdenOfSame(before, finding);
     const Matter matter = matterOf(finding);
+    const Burden all = burdenOf(burdensOf(before), matter),
+                 rest = burdenOf(burdensOf(after), matter);
     return (!still || !was || *still < *was) &&
-           burdenOf(burdensOf(after), matter) < burdenOf(burdensOf(before), matter);
+           (rest < all || (finding.kind->hidesOthers && !(all < rest)));
 }
 
 } // namespace fff

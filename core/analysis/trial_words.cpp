@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 namespace fff {
 
@@ -105,6 +106,19 @@ const Finding *heldIn(std::span<const Finding> found)
     return held == found.end() ? nullptr : &*held;
 }
 
+/// What nothing like it was said of the same sections before; what holds is told by itself.
+std::vector<const Finding *> newIn(std::span<const Finding> after, std::span<const Finding> before)
+{
+    std::vector<const Finding *> found;
+    for (const Finding &finding : after)
+        if (finding.severity >= Severity::Note && !finding.details<Held>() &&
+            std::none_of(before.begin(), before.end(), [&finding](const Finding &other) {
+                return isSameVerdict(finding, other);
+            }))
+            found.push_back(&finding);
+    return found;
+}
+
 constexpr Text kListed{nullptr, "%1, %2"};
 
 } // namespace
@@ -143,7 +157,7 @@ Message changesBetween(const Analysis &before, const Analysis &after,
         {FFF_TEXT("Checks", "%1 deleted"), {name}},
         FFF_TEXT_OF_MANY("Checks", "%n sections deleted"));
     if (difference.turned > 0 && difference.morePieces == 0)
-        parts.push_back({FFF_TEXT("Checks", "nothing is cut through"), {}});
+        parts.push_back({FFF_TEXT("Checks", "nothing more is cut through"), {}});
     add(problemsIn(foundBefore) - problemsIn(foundAfter),
         {FFF_TEXT("Checks", "1 problem solved"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n problems solved"));
@@ -151,6 +165,11 @@ Message changesBetween(const Analysis &before, const Analysis &after,
     if (was && is && !was->is(*is->kind))
         //: after other things that change; %1 is a verdict such as "Holds 350 g"
         parts.push_back({FFF_TEXT("Checks", "then: %1"), {titleOf(*is)}});
+    if (const auto added = newIn(foundAfter, foundBefore); !added.empty())
+        //: after other things that change; %1 is a verdict such as "Too little material"
+        add(static_cast<int>(added.size()),
+            {FFF_TEXT("Checks", "new: %1"), {titleOf(*added.front())}},
+            FFF_TEXT_OF_MANY("Checks", "%n new remarks"));
     Message all;
     for (Message &part : parts)
         all = all.isEmpty() ? std::move(part) : Message{kListed, {std::move(all), std::move(part)}};

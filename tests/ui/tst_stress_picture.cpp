@@ -173,7 +173,7 @@ void TestStressPicture::thePhysicsPageShowsThem()
     auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("physicsDock"));
     dock->show();
     dock->raise();
-    QTRY_VERIFY(isShown());
+    bench().session().scheduler().finish();
     turnOff();
     dock->hide();
     dock->show();
@@ -186,6 +186,15 @@ void TestStressPicture::thePhysicsPageShowsThem()
     QVERIFY(isShown());
     QVERIFY(m_picture->isKept() && marks().hasCard);
     QVERIFY(bench().interaction().selection().empty());
+
+    MainWindow other;
+    other.show();
+    const Document loaded = bench().session().committed().document;
+    other.bench().session().commit(QStringLiteral("Open"), loaded);
+    auto *page = other.findChild<QDockWidget *>(QStringLiteral("physicsDock"));
+    page->show();
+    page->raise();
+    QTRY_VERIFY(other.bench().interaction().view().showsStress);
 }
 
 FFF_TEST_WITH(TestStressPicture, [](int argc, char *argv[]) {

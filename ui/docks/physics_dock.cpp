@@ -160,7 +160,6 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
 void PhysicsDock::showEvent(QShowEvent *event)
 {
     QDockWidget::showEvent(event);
-    showStressOnce();
     refresh();
 }
 
@@ -288,6 +287,7 @@ void PhysicsDock::refresh()
 {
     if (!isVisible())
         return;
+    showStressOnce();
     const bool isEmpty = m_bench.session().model().sectionCount() == 0;
     m_held = isEmpty ? nullptr : heldNow(m_bench.session().scheduler());
     m_lines->setChecked(m_bench.interaction().view().showsStress);
@@ -456,7 +456,7 @@ bool PhysicsDock::eventFilter(QObject *watched, QEvent *event)
 }
 
 /// With its line and what is known of it; handles of the section would lie over that.
-void PhysicsDock::frame(const WeakPlace &place)
+void PhysicsDock::frame(WeakPlace place)
 {
     m_bench.run(QStringLiteral("check.stress"), {{"on", "true"}});
     m_bench.select({place.section});

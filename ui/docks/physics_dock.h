@@ -60,7 +60,7 @@ private:
     void refreshLoads();
     void refreshPlaces();
     std::vector<Place> weakestPlaces() const;
-    void frame(const WeakPlace &place);
+    void frame(WeakPlace place); // what is listed is listed anew meanwhile
     void showStressOnce();
 
     Workbench &m_bench;

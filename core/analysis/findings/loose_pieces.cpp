@@ -19,6 +19,11 @@ Message loosePiecesSentence(const Finding &finding, const Model &model)
         //: %1 is the name of a section, %2 a number from 2 on, %3 a size
         return {FFF_TEXT("Checks", "Slits cut %1 into %2 parts; nothing holds one of them, %3."),
                 {name, pieces.parts, size}};
+    if (pieces.loose == pieces.parts)
+        //: %1 is the name of a section, %2 a number from 2 on, %3 a size
+        return {FFF_TEXT("Checks",
+                         "Slits cut %1 into %2 parts; nothing holds them, the largest being %3."),
+                {name, pieces.parts, size}};
     //: %1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size
     return {FFF_TEXT("Checks",
                      "Slits cut %1 into %2 parts; nothing holds %3 of them, the largest being %4."),

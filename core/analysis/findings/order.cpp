@@ -15,6 +15,12 @@ Message canSentence(const Finding &finding, const Model &)
     const int steps = finding.details<AssemblyOrder>()->steps;
     if (steps == 1)
         return {FFF_TEXT("Checks", "Can be assembled. Only one part so far."), {}};
+    if (const int loose = finding.details<AssemblyOrder>()->loose; loose == 1)
+        return {FFF_TEXT("Checks", "Can be assembled. But nothing holds one of the parts."), {}};
+    else if (loose > 1)
+        return {FFF_TEXT_OF_MANY("Checks", "Can be assembled. But nothing holds %n of the parts."),
+                {},
+                loose};
     return {FFF_TEXT_OF_MANY("Checks", "Can be assembled. %n steps."), {}, steps};
 }
 
@@ -95,6 +101,18 @@ Message unknownSentence(const Finding &finding, const Model &)
             {}};
 }
 
+/// Parts that are in their place but are not held there.
+int looseParts(const Analysis &analysis)
+{
+    if (analysis.bodies.size() < 2)
+        return 0;
+    // Mostly joints hold all of them, and nobody has to ask who is caught between others.
+    auto groups = heldGroups(analysis.bodies, analysis.assembly.joints, analysis.grips);
+    if (groups.size() > 1)
+        groups = heldGroups(analysis);
+    return static_cast<int>(analysis.bodies.size() - groups.front().size());
+}
+
 /// Why parts are locked: the ways in which the joints among them slide, and what stops the one that
 /// could move.
 void explain(const LookedAtPlan &at, const std::vector<int> &sections, Finding &finding)
@@ -162,10 +180,12 @@ void findOrder(const LookedAtPlan &at, std::vector<Finding> &found)
     switch (at.plan.plan.verdict) {
     case AssemblyPlan::Verdict::Possible: {
         const AssemblyOrder order{static_cast<int>(at.plan.plan.steps.size()),
-                                  static_cast<int>(pairsInEachOther(at.plan, at.rules.touching))};
+                                  static_cast<int>(pairsInEachOther(at.plan, at.rules.touching)),
+                                  looseParts(at.analysis)};
+        const Severity whole = order.loose > 0 ? Severity::Note : Severity::Good;
         found.push_back(order.inEachOther > 0
                             ? makeFinding(kCanOtherwiseAssemble, Severity::Warning, order)
-                            : makeFinding(kCanAssemble, Severity::Good, order));
+                            : makeFinding(kCanAssemble, whole, order));
         return;
     }
     case AssemblyPlan::Verdict::Impossible: {

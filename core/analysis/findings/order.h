@@ -10,6 +10,7 @@ struct AssemblyOrder
 {
     int steps = 0;
     int inEachOther = 0; // pairs of sections
+    int loose = 0;       // parts that nothing holds to most of the others
 };
 /// Of kCannotAssemble.
 struct Blocked

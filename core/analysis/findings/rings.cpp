@@ -11,16 +11,20 @@ namespace {
 
 Message ringsSentence(const Finding &finding, const Model &model)
 {
-    const int count = finding.details<Rings>()->count;
-    if (count == 1)
-        return {FFF_TEXT("Checks", "%1 form a ring: each of these has to go in before the others."),
+    const Rings &rings = *finding.details<Rings>();
+    if (rings.count == 1)
+        return {rings.hasSteps
+                    ? FFF_TEXT("Checks", "%1 form a ring: keep to the order of the steps.")
+                    : FFF_TEXT("Checks",
+                               "%1 form a ring: each of these has to go in before the others."),
                 {namesOf(model, finding.sections)}};
     return {
-        FFF_TEXT_OF_MANY(
-            "Checks",
-            "%n rings of sections, in each of which every section has to go in before the others."),
+        rings.hasSteps
+            ? FFF_TEXT_OF_MANY("Checks", "%n rings of sections: keep to the order of the steps.")
+            : FFF_TEXT_OF_MANY("Checks", "%n rings of sections, in each of which every "
+                                         "section has to go in before the others."),
         {},
-        count};
+        rings.count};
 }
 
 ProblemLook ringsLook(const Finding &finding)
@@ -45,7 +49,9 @@ void findRings(const LookedAtPlan &at, std::vector<Finding> &found)
     const std::vector<int> locked = sectionsOf(at.plan.plan.locked, at.plan);
     if (std::includes(locked.begin(), locked.end(), sections.begin(), sections.end()))
         return;
-    Rings rings{static_cast<int>(cycles.size()), {}};
+    Rings rings{static_cast<int>(cycles.size()),
+                at.plan.plan.verdict == AssemblyPlan::Verdict::Possible,
+                {}};
     std::set<std::pair<int, int>> linked; // a joint may be of several rings
     for (const std::vector<int> &cycle : cycles) {
         for (std::size_t i = 0, k = cycle.size() - 1; i < cycle.size(); k = i++) {

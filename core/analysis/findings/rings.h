@@ -10,6 +10,7 @@ namespace fff {
 struct Rings
 {
     int count = 0;
+    bool hasSteps = false;          // it can be put together all the same
     std::vector<ProblemLink> links; // of their joints
 };
 

@@ -17,8 +17,8 @@ namespace fff {
 namespace {
 
 //: %1 is the name of a section
-constexpr Text kLegStep = FFF_TEXT("Step", "Give %1 a second foot");
-constexpr Text kLegText = FFF_TEXT("Checks", "Give it a second foot");
+constexpr Text kLegStep = FFF_TEXT("Step", "Support %1 with a foot");
+constexpr Text kLegText = FFF_TEXT("Checks", "Support it with a foot");
 
 /// A leg is so many thicknesses of its sheet wide, and where it meets the section it widens by so
 /// many more to both sides.

@@ -309,6 +309,7 @@ const FindingKind kNoContact{.name = "noContact",
                              .sentence = noContactSentence,
                              .actions = drop,
                              .look = footingLook,
+                             .hidesOthers = true,
                              .yet = kNotOnGroundYet};
 const FindingKind kBelowGround{.name = "belowGround",
                                .subject = Subject::Stability,
@@ -316,6 +317,7 @@ const FindingKind kBelowGround{.name = "belowGround",
                                .sentence = belowGroundSentence,
                                .actions = drop,
                                .look = footingLook,
+                               .hidesOthers = true,
                                .yet = kNotOnGroundYet};
 
 void findStanding(const Looked &at, std::vector<Finding> &found)

@@ -132,6 +132,11 @@ Message ownWeightSentence(const Finding &finding, const Model &model)
     const Held &held = heldOf(finding);
     if (!held.weakest)
         return {FFF_TEXT("Checks", "Nothing puts a strain on it."), {}};
+    constexpr double kLittle = 0.01;
+    if (held.cornerUse < kLittle)
+        //: %1 is a section, %2 a place such as "beside its slit for Body"
+        return {FFF_TEXT("Checks", "Weakest is %1, %2: less than 1 % of its strength."),
+                {nameOf(model, held.weakest->section), spotText(*held.weakest, model)}};
     //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a number of percent
     return {FFF_TEXT("Checks", "Weakest is %1, %2: %3 % of its strength."),
             {nameOf(model, held.weakest->section), spotText(*held.weakest, model),
@@ -205,7 +210,8 @@ Message movesSentence(const Finding &finding, const Model &model)
             {namesOf(model, finding.sections)}};
 }
 
-constexpr double kLeastPull = 0.05; // N: less is none when it is said with a digit
+constexpr double kLeastPull = 0.05;     // N: less is none when it is said with a digit
+constexpr double kLeastFriction = 0.02; // N, the weight of 2 g: with less, whatever holds
 
 Message pulledSentence(const Finding &finding, const Model &model)
 {
@@ -219,6 +225,15 @@ Message pulledSentence(const Finding &finding, const Model &model)
                                  "others hold without it."),
         {nameAt(finding, model, 0), nameAt(finding, model, 1),
          Decimal{force, force < kLeastPull ? 3 : 1}}};
+}
+
+Message frictionSentence(const Finding &finding, const Model &model)
+{
+    //: %3 is a number of newtons
+    return {FFF_TEXT("Checks", "Held by friction. The joint of %1 and %2 is pulled with %3 N, "
+                               "which only slits without play hold."),
+            {nameAt(finding, model, 0), nameAt(finding, model, 1),
+             Decimal{finding.details<PulledJoint>()->force, 2}}};
 }
 
 /// As its sentence begins, so that several in one row are not said to be worse than they are.
@@ -277,6 +292,17 @@ std::vector<SectionRef> sectionsWhere(const Analysis &analysis, const Strength &
     return analysis.model.refs({sections.begin(), sections.end()});
 }
 
+/// On the joint of the link.
+void placeAt(const Analysis &analysis, const Link &link, Finding &finding)
+{
+    for (const int body : {link.a, link.b})
+        finding.sections.push_back(
+            analysis.model.ref(static_cast<std::size_t>(analysis.bodies.sectionOf(body))));
+    finding.at = link.point;
+    finding.joint = JointRef(std::min(finding.sections[0], finding.sections[1]),
+                             std::max(finding.sections[0], finding.sections[1]));
+}
+
 /// Links that are pulled apart, each joint once, by its strongest pull.
 void findPulled(const Analysis &analysis, const Strength &strength, std::vector<Finding> &found)
 {
@@ -301,12 +327,30 @@ void findPulled(const Analysis &analysis, const Strength &strength, std::vector<
         // Where all of it stands without the joint, that is for whoever wants to know.
         Finding finding = makeFinding(kPulledOpen, isApart ? Severity::Error : Severity::Note,
                                       PulledJoint{equilibrium.links[link].asked});
-        for (const int body : {pulled.a, pulled.b})
-            finding.sections.push_back(
-                analysis.model.ref(static_cast<std::size_t>(analysis.bodies.sectionOf(body))));
-        finding.at = pulled.point;
-        finding.joint = JointRef(std::min(finding.sections[0], finding.sections[1]),
-                                 std::max(finding.sections[0], finding.sections[1]));
+        placeAt(analysis, pulled, finding);
+        found.push_back(std::move(finding));
+    }
+}
+
+/// What hangs in slits that are not made for it, and would come out of looser ones.
+void findHeldByFriction(const Analysis &analysis, const Strength &strength,
+                        std::vector<Finding> &found)
+{
+    const Equilibrium &equilibrium = strength.equilibrium();
+    std::map<int, std::size_t> strongest; // by the joint
+    for (std::size_t i = 0; i < equilibrium.links.size(); ++i) {
+        const LinkForce &link = equilibrium.links[i];
+        if (link.isOpen || !(link.pull >= kLeastFriction) ||
+            strength.made.structure.links[i].grip <= 0.0)
+            continue;
+        const auto [known, isNew] = strongest.emplace(strength.made.links[i].joint, i);
+        if (!isNew && link.pull > equilibrium.links[known->second].pull)
+            known->second = i;
+    }
+    for (const auto &[joint, link] : strongest) {
+        Finding finding =
+            makeFinding(kHeldByFriction, Severity::Note, PulledJoint{equilibrium.links[link].pull});
+        placeAt(analysis, strength.made.structure.links[link], finding);
         found.push_back(std::move(finding));
     }
 }
@@ -435,6 +479,9 @@ const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Check
                               pulledSentence, turnSlits,         nullptr,
                               nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it."),
                               pulledTitle};
+const FindingKind kHeldByFriction{"heldByFriction", Subject::Strength,
+                                  FFF_TEXT("Checks", "Held by friction"), frictionSentence,
+                                  turnSlits};
 const FindingKind kWeightBeside{
     "weightBeside", Subject::Strength, FFF_TEXT("Checks", "Off the material"),
     besideSentence, nullptr,           nullptr,
@@ -449,6 +496,7 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
     findMoving(analysis, strength, found);
     findPushedOver(strength, found);
     findPulled(analysis, strength, found);
+    findHeldByFriction(analysis, strength, found);
     findThinNecks(analysis, strength, found);
     for (const PlacedLoad &load : strength.made.besideLoads) {
         Finding finding = makeFinding(kWeightBeside, Severity::Note);

@@ -8,7 +8,7 @@
 namespace fff {
 
 extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
-    kPulledOpen, kWeightBeside;
+    kPulledOpen, kHeldByFriction, kWeightBeside;
 
 extern const ActionKind kTurnPulledSlits; // of the joint
 

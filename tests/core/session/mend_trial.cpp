@@ -156,7 +156,7 @@ QString falseWordsOf(const Mend &mend, const Document &before, const Staged &was
     for (const QString &words : wrong)
         if (!words.isEmpty())
             return QStringLiteral("\"%1\" does not say \"%2\" as it is").arg(said, words);
-    if (said.contains(QStringLiteral("nothing is cut through")))
+    if (said.contains(QStringLiteral("nothing more is cut through")))
         for (std::size_t i = 0; i < was.analysis->model.sectionCount(); ++i) {
             const int now = is.analysis->model.indexOf(was.analysis->model.ref(i));
             if (now >= 0 && is.analysis->bodies.countOf(now) >

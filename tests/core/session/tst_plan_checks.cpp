@@ -212,12 +212,12 @@ void TestPlanChecks::ringsAreNamed()
                       {{-10, 20, 10}, Vec3::UnitX(), -Vec3::UnitZ()});
     QCOMPARE(cyclesSaid(lid).size(), 1);
     QVERIFY(cyclesSaid(lid).front().contains(QStringLiteral("rings of sections")));
-    Finding ring = makeFinding(kRings, Severity::Note, Rings{1, {}});
+    Finding ring = makeFinding(kRings, Severity::Note, Rings{1, true, {}});
     const Model model = evaluate(triangle());
     ring.sections = {model.ref(0), model.ref(1), model.ref(2)};
     QCOMPARE(findingText(ring, model),
-             QStringLiteral("Section 1, Section 2 and Section 3 form a ring: each of these has to "
-                            "go in before the others."));
+             QStringLiteral("Section 1, Section 2 and Section 3 form a ring: keep to the order of "
+                            "the steps."));
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.
