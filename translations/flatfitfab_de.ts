@@ -4940,7 +4940,7 @@
     </message>
     <message>
         <source>%1 was drawn beside its slit and was given a neck that reaches into it.</source>
-        <translation>%1 wurde neben seinem Schlitz gezeichnet und bekam einen Steg, der in ihn reicht.</translation>
+        <translation>%1 wurde neben ihrem Schlitz gezeichnet und bekam einen Steg, der in den Schlitz reicht.</translation>
     </message>
 </context>
 <context>

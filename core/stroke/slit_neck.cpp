@@ -99,7 +99,9 @@ std::optional<Contour> withNeck(const Contour &contour, const SlitToReach &slit)
     const std::optional<Vec2> goal = goalIn(polygon, stretches, slit, half);
     if (!goal)
         return std::nullopt;
-    const Vec2 end(slit.length, 0.0), top(slit.length - std::min(2.0 * slit.length, extent), 0.0);
+    const double depth =
+        std::min({2.0 * slit.length, extent, slit.length + slit.behind + slit.thickness});
+    const Vec2 end(slit.length, 0.0), top(slit.length - depth, 0.0);
     std::vector<Contour> parts{contour.signedArea() > 0.0 ? contour : contour.reversed()};
     if (goal->y() == 0.0) {
         parts.push_back(strip(top, *goal, half));

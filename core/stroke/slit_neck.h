@@ -3,6 +3,7 @@
 
 #include "core/geometry/contour.h"
 
+#include <limits>
 #include <optional>
 
 namespace fff {
@@ -15,6 +16,8 @@ struct SlitToReach
     double length = 0.0;
     double thickness = 0.0; // of what it is in
     double farthest = 0.0;  // from its end to a contour that is still meant to be held there
+    /// How far the section that it is in goes on behind its start; a neck is not seen beyond.
+    double behind = std::numeric_limits<double>::infinity();
 };
 
 /// The contour with a neck along the slit, as wide as is good for a sheet of that thickness, and as

@@ -85,7 +85,10 @@ void Stroke::setGuides(std::shared_ptr<const Guides> guides)
 
 void Stroke::reachSlit(double thickness)
 {
-    m_slit = {slitLength(), thickness, kReach * m_options.deadZoneRadius};
+    const Vec2 back = 2.0 * m_slitFrom - m_slitTo;
+    const double behind =
+        (m_interior->leavingPoint(m_slitFrom, back).value_or(back) - m_slitFrom).norm();
+    m_slit = {slitLength(), thickness, kReach * m_options.deadZoneRadius, behind};
     m_options.contour.slit = slit();
     m_contour.reset();
 }

@@ -6,6 +6,7 @@
 #include "core/assembly/solid.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/triangulation.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
 

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void whatNeedsNone_data();
     void whatNeedsNone();
     void whatIsSymmetricStaysSo();
+    void noFartherThanTheBody();
     void blobsAllRound();
 };
 
@@ -133,6 +134,17 @@ void TestSlitNeck::whatIsSymmetricStaysSo()
             nearest = std::min(nearest, (Vec2(p.x(), -p.y()) - q).norm());
         QVERIFY2(nearest <= 2.0 * kClipGrid, qPrintable(QString::number(nearest)));
     }
+}
+
+// Wrong: of a slit nearly through a body the neck stands out of its other side.
+void TestSlitNeck::noFartherThanTheBody()
+{
+    SlitToReach slit = kSlit;
+    slit.behind = 2.0;
+    const std::optional<Contour> neck = withNeck(blob({40.0, 0.0}, 20.0, 0.1, 0.3), slit);
+    QVERIFY(neck);
+    const double top = -slit.behind - slit.thickness;
+    QVERIFY(std::abs(neck->bounds().min.x() - top) < 1e-6);
 }
 
 // Wherever a blob is: with a neck it is one piece along the slit; without one it was over the slit
