@@ -22,19 +22,14 @@ CutList cutsOf(const Analysis &analysis, const Analysis &last,
     const auto renew = [&](std::size_t i) {
         const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
         const bool isKnown = place < last.cuts.size();
-        const bool isSame = isKnown && sections[i] == sectionsBefore[place];
-        if (isSame && slits.pointer(i) == slitsBefore.pointer(place)) {
-            if (place != i)
-                editor.set(i, last.cuts[place]);
-            return;
-        }
         const ShapePointer &shape = sections[i]->shape;
-        const bool hasSameShape = isSame || (isKnown && shape == sectionsBefore[place]->shape);
+        const bool hasSameShape = isKnown && (sections[i] == sectionsBefore[place] ||
+                                              shape == sectionsBefore[place]->shape);
         const CutSectionPointer known = hasSameShape ? last.cuts[place] : nullptr;
         CutSectionPointer cut = known && slits.pointer(i) == slitsBefore.pointer(place)
                                     ? known
                                     : cutSection(shape, slits[i], cache, known.get());
-        if (place != i || cut != known)
+        if (cut != cuts[i])
             editor.set(i, std::move(cut));
     };
     for (std::size_t first = 0; first < sections.size(); first += CutList::kInBlock) {

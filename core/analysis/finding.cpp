@@ -26,6 +26,12 @@ bool isSameVerdict(const Finding &a, const Finding &b)
     return a.kind == b.kind && a.sections == b.sections && a.others == b.others;
 }
 
+bool isAmong(const Finding &finding, std::span<const Finding> found)
+{
+    return std::any_of(found.begin(), found.end(),
+                       [&finding](const Finding &other) { return isSameVerdict(finding, other); });
+}
+
 std::vector<SectionRef> concerned(const Finding &finding)
 {
     std::vector<SectionRef> sections = finding.sections;

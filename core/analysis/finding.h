@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <typeinfo>
 #include <utility>
 #include <vector>
@@ -116,6 +117,8 @@ Finding makeFinding(const FindingKind &kind, Severity severity, Details details)
 
 /// Whether it is the same verdict after a change of the model; its numbers may differ.
 bool isSameVerdict(const Finding &a, const Finding &b);
+/// Whether one of them is the same verdict.
+bool isAmong(const Finding &finding, std::span<const Finding> found);
 /// Whom it is about, and who would have to change.
 std::vector<SectionRef> concerned(const Finding &finding);
 /// The worst of a subject, nothing when it has none.

@@ -39,12 +39,12 @@ ProblemLink linkOf(const Model &model, const Joint &joint)
 std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan,
                                 const CheckRules &rules)
 {
-    WebCaches caches;
+    PlanCheckCaches caches;
     return planChecks(analysis, plan, caches, rules);
 }
 
-std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches,
-                                const CheckRules &rules)
+std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan,
+                                PlanCheckCaches &caches, const CheckRules &rules)
 {
     std::vector<Finding> found;
     const bool isEmpty =

@@ -19,8 +19,8 @@ std::span<const PlanFinder> planFinders();
 std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan,
                                 const CheckRules &rules = {});
 /// The same, with any caches.
-std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches,
-                                const CheckRules &rules = {});
+std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan,
+                                PlanCheckCaches &caches, const CheckRules &rules = {});
 
 /// True once so much time has gone by from now on: for planOf().
 std::function<bool()> timeLimit(std::chrono::milliseconds time);

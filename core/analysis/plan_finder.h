@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/assembly_plan.h"
+#include "core/analysis/captives.h"
 #include "core/analysis/check_rules.h"
 #include "core/analysis/finding_action.h"
 #include "core/assembly/webs.h"
@@ -11,8 +12,8 @@
 
 namespace fff {
 
-/// What is known of each section from the time before. Not for several threads at once.
-struct WebCaches
+/// What is known from the time before. Not for several threads at once.
+struct PlanCheckCaches
 {
     struct OfSection
     {
@@ -21,6 +22,7 @@ struct WebCaches
         std::vector<Web> webs;  // thinner than that; of slits by their places in its row
     };
     std::vector<OfSection> sections; // by index in the model
+    CaptiveCache captives;
 };
 
 struct LookedAtPlan
@@ -28,7 +30,7 @@ struct LookedAtPlan
     const Analysis &analysis;
     const ModelPlan &plan;
     const CheckRules &rules;
-    WebCaches &webs;
+    PlanCheckCaches &caches;
 };
 using PlanFinder = void (*)(const LookedAtPlan &, std::vector<Finding> &);
 

@@ -28,7 +28,7 @@ Result<PlannedAnalysis> planned(const Snapshot &snapshot, const PlannedAnalysis 
     out.plan = planOf(*out.analysis, out.caches->plan, limitOf(snapshot, stop));
     if (stop.stop_requested())
         return failure(ErrorCode::Cancelled);
-    out.findings = planChecks(*out.analysis, out.plan, out.caches->webs, snapshot.get(kRules));
+    out.findings = planChecks(*out.analysis, out.plan, out.caches->checks, snapshot.get(kRules));
     return out;
 }
 

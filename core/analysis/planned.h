@@ -16,7 +16,7 @@ struct PlannedAnalysis
     struct Caches
     {
         PlanCaches plan;
-        WebCaches webs;
+        PlanCheckCaches checks;
     };
     std::shared_ptr<Caches> caches; // the stage's own
 };

@@ -29,6 +29,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/neck_growth.cpp
     analysis/findings/not_worked_out.cpp
     analysis/findings/order.cpp
+    analysis/findings/pulled_joints.cpp
     analysis/findings/pushed_over.cpp
     analysis/findings/rings.cpp
     analysis/findings/second_foot.cpp

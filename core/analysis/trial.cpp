@@ -77,9 +77,7 @@ bool isNearer(const Finding &finding, std::span<const Finding> before)
 
 bool isNewLoss(const Finding &finding, std::span<const Finding> before)
 {
-    return finding.kind->isLoss &&
-           std::none_of(before.begin(), before.end(),
-                        [&finding](const Finding &other) { return isSameVerdict(finding, other); });
+    return finding.kind->isLoss && !isAmong(finding, before);
 }
 
 /// Nobody could say before: of what does not stand it is not known whether it holds. What comes out

@@ -112,9 +112,7 @@ std::vector<const Finding *> newIn(std::span<const Finding> after, std::span<con
     std::vector<const Finding *> found;
     for (const Finding &finding : after)
         if (finding.severity >= Severity::Note && !finding.details<Held>() &&
-            std::none_of(before.begin(), before.end(), [&finding](const Finding &other) {
-                return isSameVerdict(finding, other);
-            }))
+            !isAmong(finding, before))
             found.push_back(&finding);
     return found;
 }

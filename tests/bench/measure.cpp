@@ -102,7 +102,7 @@ public:
 private:
     CheckCaches m_checks;
     PlanCaches m_plans;
-    WebCaches m_webs;
+    PlanCheckCaches m_webs;
 };
 
 void measureVerdicts(const ModelPointer &model, SectionId id, AnalysisCaches &caches, Timings &t)

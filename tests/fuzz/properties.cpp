@@ -2,8 +2,8 @@
 
 #include "core/io/error_text.h"
 #include "core/io/fff_file.h"
+#include "tests/one_line.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -11,16 +11,10 @@ namespace fff::fuzz {
 
 namespace {
 
-bool isControl(QChar c)
-{
-    return c.category() == QChar::Other_Control || c.category() == QChar::Separator_Line ||
-           c.category() == QChar::Separator_Paragraph;
-}
-
 void requireLine(const QString &text)
 {
     require(!text.trimmed().isEmpty(), "a text is not empty");
-    require(std::none_of(text.begin(), text.end(), isControl), "a text is one line");
+    require(test::isOneLine(text), "a text is one line");
 }
 
 } // namespace

@@ -102,15 +102,10 @@ Message unknownSentence(const Finding &finding, const Model &)
 }
 
 /// Parts that are in their place but are not held there.
-int looseParts(const Analysis &analysis)
+int looseParts(const Analysis &analysis, CaptiveCache &captives)
 {
-    if (analysis.bodies.size() < 2)
-        return 0;
-    // Mostly joints hold all of them, and nobody has to ask who is caught between others.
-    auto groups = heldGroups(analysis.bodies, analysis.assembly.joints, analysis.grips);
-    if (groups.size() > 1)
-        groups = heldGroups(analysis);
-    return static_cast<int>(analysis.bodies.size() - groups.front().size());
+    const auto groups = heldGroups(analysis, captives);
+    return groups.empty() ? 0 : static_cast<int>(analysis.bodies.size() - groups.front().size());
 }
 
 /// Why parts are locked: the ways in which the joints among them slide, and what stops the one that
@@ -181,7 +176,7 @@ void findOrder(const LookedAtPlan &at, std::vector<Finding> &found)
     case AssemblyPlan::Verdict::Possible: {
         const AssemblyOrder order{static_cast<int>(at.plan.plan.steps.size()),
                                   static_cast<int>(pairsInEachOther(at.plan, at.rules.touching)),
-                                  looseParts(at.analysis)};
+                                  looseParts(at.analysis, at.caches.captives)};
         const Severity whole = order.loose > 0 ? Severity::Note : Severity::Good;
         found.push_back(order.inEachOther > 0
                             ? makeFinding(kCanOtherwiseAssemble, Severity::Warning, order)

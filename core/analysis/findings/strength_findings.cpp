@@ -1,10 +1,10 @@
 #include "core/analysis/findings/strength_findings.h"
 
 #include "core/analysis/finding_action.h"
+#include "core/analysis/findings/pulled_joints.h"
 #include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/strengthening.h"
 #include "core/analysis/findings/thin_necks.h"
-#include "core/assembly/joint_editing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -210,40 +210,6 @@ Message movesSentence(const Finding &finding, const Model &model)
             {namesOf(model, finding.sections)}};
 }
 
-constexpr double kLeastPull = 0.05;     // N: less is none when it is said with a digit
-constexpr double kLeastFriction = 0.02; // N, the weight of 2 g: with less, whatever holds
-
-Message pulledSentence(const Finding &finding, const Model &model)
-{
-    const double force = finding.details<PulledJoint>()->force;
-    const bool isApart = finding.severity == Severity::Error;
-    //: %3 is a number of newtons
-    return {
-        isApart
-            ? FFF_TEXT("Checks", "Pulled open. The joint of %1 and %2 is pulled apart with %3 N.")
-            : FFF_TEXT("Checks", "Pulled at. The joint of %1 and %2 is pulled with %3 N; the "
-                                 "others hold without it."),
-        {nameAt(finding, model, 0), nameAt(finding, model, 1),
-         Decimal{force, force < kLeastPull ? 3 : 1}}};
-}
-
-Message frictionSentence(const Finding &finding, const Model &model)
-{
-    //: %3 is a number of newtons
-    return {FFF_TEXT("Checks", "Held by friction. The joint of %1 and %2 is pulled with %3 N, "
-                               "which only slits without play hold."),
-            {nameAt(finding, model, 0), nameAt(finding, model, 1),
-             Decimal{finding.details<PulledJoint>()->force, 2}}};
-}
-
-/// As its sentence begins, so that several in one row are not said to be worse than they are.
-Message pulledTitle(const Finding &finding)
-{
-    return {finding.severity == Severity::Error ? FFF_TEXT("Checks", "Pulled open")
-                                                : FFF_TEXT("Checks", "Pulled at"),
-            {}};
-}
-
 Message besideSentence(const Finding &finding, const Model &model)
 {
     return {
@@ -251,24 +217,6 @@ Message besideSentence(const Finding &finding, const Model &model)
             "Checks",
             "Off the material. A weight on %1 misses its material; the nearest place takes it."),
         {nameAt(finding, model, 0)}};
-}
-
-// --- what can be done
-
-constexpr Text kTurnText = FFF_TEXT("Checks", "Flip its slits");
-
-std::optional<FindingEdit> slitsTurned(const FindingAction &, const Finding &finding,
-                                       const Analysis &analysis, const Flips *)
-{
-    JointEdit edit = flipSlits(analysis.model, JointRef(finding.sections[0], finding.sections[1]));
-    if (!edit || edit->document.isSame(analysis.model.document))
-        return {};
-    return FindingEdit{std::move(edit->step), std::move(edit->document)};
-}
-
-std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
-{
-    return {{&kTurnPulledSlits}};
 }
 
 // --- how it is found
@@ -290,69 +238,6 @@ std::vector<SectionRef> sectionsWhere(const Analysis &analysis, const Strength &
         if (is(strength.bodies[i]))
             sections.insert(analysis.bodies.sectionOf(static_cast<int>(i)));
     return analysis.model.refs({sections.begin(), sections.end()});
-}
-
-/// On the joint of the link.
-void placeAt(const Analysis &analysis, const Link &link, Finding &finding)
-{
-    for (const int body : {link.a, link.b})
-        finding.sections.push_back(
-            analysis.model.ref(static_cast<std::size_t>(analysis.bodies.sectionOf(body))));
-    finding.at = link.point;
-    finding.joint = JointRef(std::min(finding.sections[0], finding.sections[1]),
-                             std::max(finding.sections[0], finding.sections[1]));
-}
-
-/// Links that are pulled apart, each joint once, by its strongest pull.
-void findPulled(const Analysis &analysis, const Strength &strength, std::vector<Finding> &found)
-{
-    const Equilibrium &equilibrium = strength.equilibrium();
-    const bool isApart = strength.verdict == HoldVerdict::PullsOut;
-    std::map<int, std::size_t> strongest; // by the joint
-    for (std::size_t i = 0; i < equilibrium.links.size(); ++i) {
-        if (!equilibrium.links[i].isOpen)
-            continue;
-        const auto [known, isNew] = strongest.emplace(strength.made.links[i].joint, i);
-        if (!isNew && equilibrium.links[i].asked > equilibrium.links[known->second].asked)
-            known->second = i;
-    }
-    const bool isAnyStrong = std::any_of(strongest.begin(), strongest.end(), [&](const auto &of) {
-        return equilibrium.links[of.second].asked >= kLeastPull;
-    });
-    for (const auto &[joint, link] : strongest) {
-        // What is pulled with nothing is said where nothing else tells why it comes apart.
-        if (equilibrium.links[link].asked < kLeastPull && (isAnyStrong || !isApart))
-            continue;
-        const Link &pulled = strength.made.structure.links[link];
-        // Where all of it stands without the joint, that is for whoever wants to know.
-        Finding finding = makeFinding(kPulledOpen, isApart ? Severity::Error : Severity::Note,
-                                      PulledJoint{equilibrium.links[link].asked});
-        placeAt(analysis, pulled, finding);
-        found.push_back(std::move(finding));
-    }
-}
-
-/// What hangs in slits that are not made for it, and would come out of looser ones.
-void findHeldByFriction(const Analysis &analysis, const Strength &strength,
-                        std::vector<Finding> &found)
-{
-    const Equilibrium &equilibrium = strength.equilibrium();
-    std::map<int, std::size_t> strongest; // by the joint
-    for (std::size_t i = 0; i < equilibrium.links.size(); ++i) {
-        const LinkForce &link = equilibrium.links[i];
-        if (link.isOpen || !(link.pull >= kLeastFriction) ||
-            strength.made.structure.links[i].grip <= 0.0)
-            continue;
-        const auto [known, isNew] = strongest.emplace(strength.made.links[i].joint, i);
-        if (!isNew && link.pull > equilibrium.links[known->second].pull)
-            known->second = i;
-    }
-    for (const auto &[joint, link] : strongest) {
-        Finding finding =
-            makeFinding(kHeldByFriction, Severity::Note, PulledJoint{equilibrium.links[link].pull});
-        placeAt(analysis, strength.made.structure.links[link], finding);
-        found.push_back(std::move(finding));
-    }
 }
 
 /// What moves though it would stand as one piece; whether it stands is said elsewhere.
@@ -436,8 +321,6 @@ void findVerdict(const Analysis &analysis, const Strength &strength, const Beara
 
 } // namespace
 
-const ActionKind kTurnPulledSlits{plainWords<kTurnText>, slitsTurned};
-
 const FindingKind kHolds{"holds",
                          Subject::Strength,
                          FFF_TEXT("Checks", "Strong enough"),
@@ -475,13 +358,6 @@ const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,
                                    FFF_TEXT("Checks", "Strength unknown"), strengthUnknownSentence};
 const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Checks", "Comes loose"),
                                movesSentence};
-const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),
-                              pulledSentence, turnSlits,         nullptr,
-                              nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it."),
-                              pulledTitle};
-const FindingKind kHeldByFriction{"heldByFriction", Subject::Strength,
-                                  FFF_TEXT("Checks", "Held by friction"), frictionSentence,
-                                  turnSlits};
 const FindingKind kWeightBeside{
     "weightBeside", Subject::Strength, FFF_TEXT("Checks", "Off the material"),
     besideSentence, nullptr,           nullptr,
@@ -495,8 +371,7 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
     findVerdict(analysis, strength, bearable, rules, found);
     findMoving(analysis, strength, found);
     findPushedOver(strength, found);
-    findPulled(analysis, strength, found);
-    findHeldByFriction(analysis, strength, found);
+    findPulledJoints(analysis, strength, found);
     findThinNecks(analysis, strength, found);
     for (const PlacedLoad &load : strength.made.besideLoads) {
         Finding finding = makeFinding(kWeightBeside, Severity::Note);

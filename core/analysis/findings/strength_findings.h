@@ -8,9 +8,7 @@
 namespace fff {
 
 extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
-    kPulledOpen, kHeldByFriction, kWeightBeside;
-
-extern const ActionKind kTurnPulledSlits; // of the joint
+    kWeightBeside;
 
 /// Of the verdict on all of it.
 struct Held
@@ -22,12 +20,6 @@ struct Held
     std::optional<WeakPlace> weakest, cracks, breaks;
     BearableMass bearable;
     double bends = 0.0; // mm, as far as it gives; 0: not known, or too little to be told
-};
-
-/// Of a joint that is pulled open.
-struct PulledJoint
-{
-    double force = 0.0; // N
 };
 
 /// One verdict on all of it where it stands, and what is wrong beside that.

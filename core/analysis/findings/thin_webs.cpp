@@ -35,11 +35,11 @@ std::vector<FindingAction> widenWeb(const Finding &, const Analysis &)
 }
 
 /// The webs of each section, worked out anew where its slits or its stock are other ones.
-void refresh(const Analysis &analysis, WebCaches &caches)
+void refresh(const Analysis &analysis, PlanCheckCaches &caches)
 {
     caches.sections.resize(analysis.model.sectionCount());
     for (std::size_t i = 0; i < caches.sections.size(); ++i) {
-        WebCaches::OfSection &known = caches.sections[i];
+        PlanCheckCaches::OfSection &known = caches.sections[i];
         const double thickness = analysis.model.stockOf(i).thickness;
         if (known.cut == analysis.cuts[i] && known.thickness == thickness)
             continue;
@@ -96,9 +96,9 @@ const FindingKind kSlitsMeet{"slitsMeet", Subject::Joints,
 
 void findThinWebs(const LookedAtPlan &at, std::vector<Finding> &found)
 {
-    refresh(at.analysis, at.webs);
-    for (std::size_t i = 0; i < at.webs.sections.size(); ++i)
-        for (const Web &web : at.webs.sections[i].webs)
+    refresh(at.analysis, at.caches);
+    for (std::size_t i = 0; i < at.caches.sections.size(); ++i)
+        for (const Web &web : at.caches.sections[i].webs)
             found.push_back(foundOf(web, i, at.analysis));
 }
 

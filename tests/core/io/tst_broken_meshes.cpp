@@ -6,9 +6,9 @@
 #include "core/io/mesh_file.h"
 #include "tests/core/io/written_meshes.h"
 #include "tests/core/templates/made_meshes.h"
+#include "tests/one_line.h"
 #include "tests/test_program.h"
 
-#include <algorithm>
 #include <random>
 
 using namespace fff;
@@ -29,14 +29,6 @@ Result<io::LoadedMesh> brokenRead(const std::string &name, const std::string &by
     io::MeshOptions options;
     options.name = name;
     return io::readMeshBytes(bytes, options);
-}
-
-bool isOneLine(const QString &text)
-{
-    return std::none_of(text.begin(), text.end(), [](QChar c) {
-        return c.category() == QChar::Other_Control || c.category() == QChar::Separator_Line ||
-               c.category() == QChar::Separator_Paragraph;
-    });
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/findings/moving_slits.h"
 #include "core/analysis/findings/order.h"
+#include "core/analysis/findings/pulled_joints.h"
 #include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/second_foot.h"
 #include "core/analysis/findings/standing.h"
