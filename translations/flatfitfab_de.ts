@@ -3132,6 +3132,11 @@
         <source>parallel to the last one</source>
         <translation>parallel zum letzten</translation>
     </message>
+    <message>
+        <source>Not joined yet</source>
+        <extracomment>beside the cursor, while a contour does not reach its slit</extracomment>
+        <translation>Noch nicht verbunden</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -4941,6 +4946,15 @@
     <message>
         <source>%1 was drawn beside its slit and was given a neck that reaches into it.</source>
         <translation>%1 wurde neben ihrem Schlitz gezeichnet und bekam einen Steg, der in den Schlitz reicht.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach its slit: nothing joins it to %2.</source>
+        <extracomment>%2 is the section that the slit is in</extracomment>
+        <translation>%1 reicht nicht bis in ihren Schlitz: nichts verbindet sie mit %2.</translation>
+    </message>
+    <message>
+        <source>%1 was drawn beside its slit: it was given a neck, and cut flat at the ground.</source>
+        <translation>%1 wurde neben ihrem Schlitz gezeichnet: Sie bekam einen Steg und wurde am Boden eben abgeschnitten.</translation>
     </message>
 </context>
 <context>

@@ -405,6 +405,10 @@ GestureReply StrokeGesture::done(const GestureContext &context)
     reply.note = std::move(drawn.note);
     if (contour.wasCrossing)
         reply.note = Hint::undoable(hints::kCrossesItself);
+    if (contour.isApart)
+        reply.note = Hint(hints::kNotJoined, {Named{drawn.name}, Named{m_ground->section->name}});
+    else if (contour.beside && drawn.isCutAtGround)
+        reply.note = Hint(hints::kHasNeckAndIsCut, {Named{drawn.name}});
     const auto tell = [&](bool applies, Text text) {
         if (applies && !reply.note)
             reply.note = Hint(text, {Named{drawn.name}});

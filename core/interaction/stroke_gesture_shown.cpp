@@ -107,6 +107,8 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
     if (state == Stroke::State::Turn || state == Stroke::State::DeadZone)
         signs.add(cueAt(state == Stroke::State::Turn ? hints::kWait : hints::kGoOn, m_cursor,
                         context.camera, context.viewport));
+    if (state == Stroke::State::Contour && m_stroke.contour().isApart)
+        signs.add(cueAt(hints::kNotJoinedYet, m_cursor, context.camera, context.viewport));
     if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)
         if (const std::optional<sign::Ground> line = groundLineOf(target().canvas))
             signs.add(*line);

@@ -66,6 +66,13 @@ inline constexpr Text kCrossesItself =
     FFF_TEXT("Hint", "The contour crosses itself; the largest loop was kept.");
 inline constexpr Text kCutAtAxis =
     FFF_TEXT("Hint", "%1 was mirrored; what crossed its axis and came back was left out.");
+//: beside the cursor, while a contour does not reach its slit
+inline constexpr Text kNotJoinedYet = FFF_TEXT("Cue", "Not joined yet");
+//: %2 is the section that the slit is in
+inline constexpr Text kNotJoined =
+    FFF_TEXT("Hint", "%1 does not reach its slit: nothing joins it to %2.");
+inline constexpr Text kHasNeckAndIsCut = FFF_TEXT(
+    "Hint", "%1 was drawn beside its slit: it was given a neck, and cut flat at the ground.");
 inline constexpr Text kHasNeck =
     FFF_TEXT("Hint", "%1 was drawn beside its slit and was given a neck that reaches into it.");
 

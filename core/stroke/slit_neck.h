@@ -27,4 +27,12 @@ struct SlitToReach
 /// start, is farther away, or would not be one piece.
 std::optional<Contour> withNeck(const Contour &contour, const SlitToReach &slit);
 
+/// How a contour comes to its slit.
+struct SlitReach
+{
+    std::optional<Contour> withNeck;
+    bool isApart = false; // not at all: nothing of it is in the section that the slit is in
+};
+SlitReach reached(const Contour &contour, const SlitToReach &slit);
+
 } // namespace fff

@@ -231,11 +231,12 @@ void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, doubl
 
 void reach(const SlitToReach &slit, StrokeContour &stroke)
 {
-    std::optional<Contour> reaching = withNeck(*stroke.contour, slit);
-    if (!reaching)
+    SlitReach found = reached(*stroke.contour, slit);
+    stroke.isApart = found.isApart;
+    if (!found.withNeck)
         return;
     stroke.work += kCrossingWork * stroke.contour->segmentCount();
-    stroke.beside = std::exchange(stroke.contour, std::move(reaching));
+    stroke.beside = std::exchange(stroke.contour, std::move(found.withNeck));
 }
 
 } // namespace

@@ -53,6 +53,7 @@ struct StrokeContour
 
     /// What was drawn beside its slit; the contour has a neck that reaches into that.
     std::optional<Contour> beside;
+    bool isApart = false; // too far beside it for that
 
     std::optional<MirrorAxis> axis;          // as in the options
     std::optional<SymmetryVerdict> symmetry; // of the samples, where there is an axis

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void ctrlLeavesItFree();
     void aCircleThatIsTakenIsHeld();
     void halfWingsAreMirrored();
+    void whatIsFarBesideIsSaidBeforeTheRelease();
 };
 
 void TestLegs::aLegIsHeld_data()
@@ -100,7 +101,7 @@ void TestLegs::aLegIsHeld()
     const Analysis analysis = analysed(desk.session.committed());
     QCOMPARE(analysis.assembly.joints.size(), std::size_t(1));
     QVERIFY(!analysis.grips.of(*analysis.assembly.joints.begin()).loose);
-    QVERIFY(desk.hint() == hints::kHasNeck || desk.hint() == hints::kCutAtGround);
+    QVERIFY(desk.hint() == hints::kHasNeck || desk.hint() == hints::kHasNeckAndIsCut);
     QCOMPARE(desk.sections()[1]->symmetry.has_value(), isMirrored);
     desk.run("edit.undo");
     QCOMPARE(desk.sections().size(), std::size_t(1));
@@ -172,6 +173,35 @@ void TestLegs::halfWingsAreMirrored()
             QCOMPARE(desk.sections().size(), std::size_t(2));
             QVERIFY2(desk.sections()[1]->symmetry, qPrintable(QString::number(seed)));
         }
+}
+
+// Wrong: a leg that nothing will join looks like any other until it is there.
+void TestLegs::whatIsFarBesideIsSaidBeforeTheRelease()
+{
+    Desk desk;
+    desk.run("section.symmetry");
+    leave(desk, {100, 10}, {1, 0});
+    const auto isCued = [](const Desk &at) {
+        const auto *label = at.interaction.overlay().drawn.find<sign::Label>();
+        const auto *words = label ? std::get_if<Message>(&label->words) : nullptr;
+        return words && words->text == hints::kNotJoinedYet;
+    };
+    const Vec2 start = desk.cursor;
+    // Back to where it came to after its way there, which is no part of it.
+    for (const Vec2 &by :
+         {Vec2(40, 95), Vec2(40, 395), Vec2(340, 395), Vec2(340, 95), Vec2(45, 97)})
+        desk.moveTo(start + by, {}, 40);
+    QVERIFY(isCued(desk));
+    desk.release(desk.cursor);
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QCOMPARE(desk.hint(), hints::kNotJoined);
+    QVERIFY(analysed(desk.session.committed()).assembly.joints.empty());
+
+    Desk near;
+    leave(near, {100, 10}, {1, 0});
+    for (const Vec2 &by : {Vec2(20, 40), Vec2(150, 60), Vec2(160, -60), Vec2(25, -40)})
+        near.moveTo(near.cursor + 0.5 * by);
+    QVERIFY(!isCued(near));
 }
 
 FFF_TEST(TestLegs)
