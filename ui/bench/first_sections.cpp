@@ -25,12 +25,7 @@ FirstSections::FirstSections(const Session &session, CheckList &list,
 {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause);
-    connect(&m_pause, &QTimer::timeout, this, [this] {
-        if (m_isDrawing())
-            m_pause.start();
-        else
-            takeAsIs();
-    });
+    connect(&m_pause, &QTimer::timeout, this, &FirstSections::leaveAlone);
     connect(&session, &Session::modelChanged, this, &FirstSections::follow);
 }
 
@@ -45,6 +40,14 @@ void FirstSections::follow(const Model &before, const Model &after)
         return;
     m_list.setBeginning(true);
     m_pause.start();
+}
+
+void FirstSections::leaveAlone()
+{
+    if (m_isDrawing())
+        m_pause.start();
+    else
+        takeAsIs();
 }
 
 void FirstSections::takeAsIs()

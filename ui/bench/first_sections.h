@@ -29,6 +29,8 @@ public:
 
     /// Now: it is to be cut.
     void takeAsIs();
+    /// For kPause, which begins anew while something is in the hand.
+    void leaveAlone();
 
 private:
     void follow(const Model &before, const Model &after);

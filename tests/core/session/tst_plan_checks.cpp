@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/findings/order.h"
 #include "core/analysis/plan_checks.h"
 #include "core/session/finding_text.h"
 #include "tests/core/assembly/known_models.h"
@@ -7,6 +8,8 @@
 #include "tests/test_program.h"
 
 #include <QLocale>
+
+#include <algorithm>
 
 using namespace fff;
 using namespace fff::test;
@@ -49,6 +52,7 @@ private Q_SLOTS:
     void blockingPairsAreLinked();
     void whatIsSaidOfAJointNamesIt();
     void aModelWithoutPartsHasNoVerdict();
+    void whatNothingHoldsIsNotGreen();
 };
 
 void TestPlanChecks::sentences_data()
@@ -179,7 +183,7 @@ void TestPlanChecks::whatIsKnownFromBeforeChangesNothing()
     document = withSection(std::move(document), rib, side(40));
     document = withSection(std::move(document), rib, side(60));
     AnalysisCaches analyses;
-    WebCaches caches;
+    PlanCheckCaches caches;
     for (const double at : {60.0, 44.0, 42.0, 80.0, 45.0}) {
         document = *moveSection(document, document.sections[2]->id, side(at));
         const AnalysisPointer analysis = analyseNext(evaluate(document), analyses);
@@ -272,6 +276,24 @@ void TestPlanChecks::whatIsSaidOfAJointNamesIt()
         ++named;
     }
     QVERIFY(named > 0);
+}
+
+// Wrong: a green tick for pieces that are put in the air.
+void TestPlanChecks::whatNothingHoldsIsNotGreen()
+{
+    const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
+    const Document held = withSection(withSection(newDocument(), plate, front()), plate, side());
+    const Document apart = withSection(held, plate, front(-200));
+    for (const auto &[document, severity] :
+         {std::pair(&held, Severity::Good), std::pair(&apart, Severity::Note)}) {
+        const Said said = saidOf(*document);
+        const auto order = std::find_if(said.checks.begin(), said.checks.end(),
+                                        [](const Finding &f) { return f.is(kCanAssemble); });
+        QVERIFY(order != said.checks.end());
+        QCOMPARE(order->severity, severity);
+    }
+    QVERIFY(saidOf(apart).sentences.join(u' ').contains(
+        QStringLiteral("But nothing holds one of the parts")));
 }
 
 FFF_TEST(TestPlanChecks)

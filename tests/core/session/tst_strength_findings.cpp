@@ -2,12 +2,15 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/analysis/findings/broader_base.h"
+#include "core/analysis/findings/pulled_joints.h"
 #include "core/analysis/findings/pushed_over.h"
+#include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/findings/strengthening.h"
 #include "core/analysis/findings/thin_necks.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/stress_lines.h"
+#include "core/assembly/joint_editing.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "core/model/load_edits.h"
@@ -85,6 +88,8 @@ class TestStrengthFindings : public QObject
 
 private Q_SLOTS:
     void pushesHaveTheirOwnWords();
+    void whatHangsByFrictionIsSaid();
+    void droppingIsOfferedThoughItFallsOver();
     void pushesMoveWhatIsNotHeld();
     void whatIsPushedOverGetsABase();
     void oneVerdictNamesWhatHangs();
@@ -175,6 +180,56 @@ void TestStrengthFindings::whatIsTooWeakIsMended_data()
     QTest::addColumn<double>("factor"); // on the weights
     QTest::newRow("barely") << 1.0;
     QTest::newRow("too weak") << 3.0;
+}
+
+// Wrong: five green ticks for a body that hangs in its slits, until 15 g more pull them open.
+void TestStrengthFindings::whatHangsByFrictionIsSaid()
+{
+    const ShapePointer leg = polygonShape(rectangle(-30, 0, 30, 50));
+    Document document =
+        withSection(newDocument(), polygonShape(rectangle(-60, 35, 60, 75)), front());
+    for (const double x : {-40.0, 40.0})
+        document = withSection(std::move(document), leg, side(x));
+    Stock stock = *document.stocks.front();
+    stock.clearance = 0.0;
+    document = setStock(document, stock).value();
+    const auto hanging = [](const Judged &judged) {
+        return std::count_if(judged.list.all().begin(), judged.list.all().end(),
+                             [](const Finding &f) { return f.is(kHeldByFriction); });
+    };
+    Judged judged(document);
+    const Model model = evaluate(document);
+    for (const int guest : {1, 2})
+        document = flipSlits(evaluate(document),
+                             JointRef(model.ref(0), model.ref(static_cast<std::size_t>(guest))))
+                       ->document;
+    Judged flipped(document);
+    // One way the body rests in its slits, the other way it hangs in them.
+    QCOMPARE(std::min(hanging(judged), hanging(flipped)), std::ptrdiff_t(0));
+    QCOMPARE(std::max(hanging(judged), hanging(flipped)), std::ptrdiff_t(2));
+    const Judged &bad = hanging(judged) > 0 ? judged : flipped;
+    const auto said = std::find_if(bad.list.all().begin(), bad.list.all().end(),
+                                   [](const Finding &f) { return f.is(kHeldByFriction); });
+    QCOMPARE(said->severity, Severity::Note);
+    const std::vector<Mend> mends = bad.list.mendsOf(*said);
+    QVERIFY(!mends.empty() && mends.front().action.kind == &kTurnPulledSlits);
+}
+
+// Wrong: a model in the air, in red, with nothing to be done, since once it stands something else
+// is wrong with it.
+void TestStrengthFindings::droppingIsOfferedThoughItFallsOver()
+{
+    const Frame leaning{Vec3(0, 30, 0), Vec3::UnitX(), Vec3(0, 1, 1).normalized()};
+    Judged judged(withSection(newDocument(), polygonShape(rectangle(-30, 0, 30, 40)), leaning));
+    const auto inAir = std::find_if(judged.list.all().begin(), judged.list.all().end(),
+                                    [](const Finding &f) { return f.is(kNoContact); });
+    QVERIFY(inAir != judged.list.all().end());
+    const std::vector<Mend> mends = judged.list.mendsOf(*inAir);
+    QVERIFY(!mends.empty() && mends.front().action.kind == &kDropToGround);
+    Judged dropped(mends.front().edit->document);
+    QVERIFY(std::any_of(dropped.list.all().begin(), dropped.list.all().end(), [](const Finding &f) {
+        return f.subject() == Subject::Stability && f.severity == Severity::Error;
+    }));
 }
 
 // Wrong: a verdict that leaves a person alone, or a link after which it is no better.

@@ -35,6 +35,21 @@ private:
     }
 
 private Q_SLOTS:
+    void nothingTurnsRedUnderTheHand()
+    {
+        Session session;
+        CheckList list{session};
+        bool isDrawing = true;
+        FirstSections first(session, list, [&isDrawing] { return isDrawing; });
+        session.commit(QStringLiteral("Draw"),
+                       withSection(newDocument(), plateOf(-50, 0, 50, 60), raised()));
+        list.finish();
+        first.leaveAlone();
+        QCOMPARE(find(list, kNoContact)->severity, Severity::Unknown);
+        isDrawing = false;
+        first.leaveAlone();
+        QCOMPARE(find(list, kNoContact)->severity, Severity::Error);
+    }
     void greyWhileDrawn()
     {
         Session session;
