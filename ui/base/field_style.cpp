@@ -73,15 +73,14 @@ void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *opt
         painter->restore();
         return;
     }
-    if (element == PE_FrameMenu) {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_PanelMenu || element == PE_FrameMenu) {
         painter->save();
         painter->setPen(theme().strong);
         painter->setBrush(Qt::NoBrush);
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
-        return;
     }
-    QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_FrameLineEdit || element == PE_IndicatorCheckBox ||
         element == PE_IndicatorItemViewItemCheck)
         drawBorder(painter, option);
@@ -108,7 +107,8 @@ void FieldStyle::drawControl(ControlElement element, const QStyleOption *option,
 int FieldStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
                             const QWidget *widget) const
 {
-    // Outside of a widget there may be nothing to draw on. Of rows it is the air beside their words.
+    // Outside of a widget there may be nothing to draw on. Of rows it is the air beside their
+    // words.
     if ((metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) &&
         !qobject_cast<const QAbstractItemView *>(widget))
         return 0;

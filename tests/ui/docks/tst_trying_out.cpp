@@ -1,5 +1,6 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/session/check_list.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "tests/core/assembly/plates.h"
@@ -7,16 +8,21 @@
 #include "ui/base/field_style.h"
 #include "ui/bench/first_sections.h"
 #include "ui/bench/workbench.h"
+#include "ui/docks/check_entries.h"
 #include "ui/docks/check_row.h"
 #include "ui/settings/settings.h"
 #include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCursor>
 #include <QFile>
+#include <QHoverEvent>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 using namespace fff;
 using namespace fff::test;
@@ -35,6 +41,8 @@ private Q_SLOTS:
     void anotherModelEndsIt();
     void aClickDoesIt();
     void aClickTooEarlyIsNotLost();
+    void aRestingCursorTriesNothing();
+    void whatIsWrongComesFirstAndRemarksLast();
 
 private:
     Session &session() { return m_window->bench().session(); }
@@ -136,6 +144,41 @@ void TestTryingOut::aClickTooEarlyIsNotLost()
     QCOMPARE(session().history()->count(), 2); // not done yet
     QTRY_COMPARE(session().history()->count(), 3);
     QCOMPARE(session().committed().document.sections.front()->name, std::string("Body"));
+}
+
+// Wrong: after a click another link comes to be under the cursor, and what that would make is shown
+// in place of what was done.
+void TestTryingOut::aRestingCursorTriesNothing()
+{
+    const QPoint at(3, 3);
+    QCursor::setPos(link()->mapToGlobal(at));
+    QTest::mousePress(link(), Qt::LeftButton, {}, at);
+    QTest::mouseRelease(link(), Qt::LeftButton, {}, QPoint(-90, -90)); // not a click
+    hover(false);
+    hover(true);
+    QVERIFY(!bench().tried());
+    QHoverEvent moved(QEvent::HoverMove, QPointF(5, 3), QPointF(5, 3), QPointF(3, 3));
+    QCoreApplication::sendEvent(link(), &moved);
+    QVERIFY(bench().tried());
+    hover(false);
+    QVERIFY(!bench().tried());
+}
+
+// Wrong: on a good model two question marks are read before "Stands".
+void TestTryingOut::whatIsWrongComesFirstAndRemarksLast()
+{
+    const auto *list = m_window->findChild<CheckList *>();
+    std::vector<Severity> severities;
+    for (const CheckEntry &entry : checkEntries(*list, {}))
+        severities.push_back(entry.finding().severity);
+    const auto firstOf = [&](Severity severity) {
+        return std::find(severities.begin(), severities.end(), severity) - severities.begin();
+    };
+    const auto count = std::ssize(severities);
+    QVERIFY(firstOf(Severity::Error) < firstOf(Severity::Good));
+    QVERIFY(firstOf(Severity::Good) < firstOf(Severity::Note) && firstOf(Severity::Note) < count);
+    QVERIFY(std::all_of(severities.begin() + firstOf(Severity::Note), severities.end(),
+                        [](Severity severity) { return severity == Severity::Note; }));
 }
 
 FFF_TEST_WITH(TestTryingOut, [](int argc, char *argv[]) {
