@@ -1,7 +1,9 @@
 #include "core/analysis/findings/touching_pairs.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace fff {
 
@@ -21,6 +23,14 @@ Message touchingSentence(const Finding &finding, const Model &model)
             touching.pairs};
 }
 
+/// Of its first overlap.
+Vec3 middleOf(const Joint &joint)
+{
+    const Crossing &crossing = *joint.crossing;
+    const Overlap &first = crossing.overlaps.front();
+    return crossing.axis.at(0.5 * (first.from + first.to));
+}
+
 } // namespace
 
 const FindingKind kTouching{"touching", Subject::Joints, FFF_TEXT("Checks", "Only touch"),
@@ -38,24 +48,26 @@ bool onlyTouch(const Joint &joint, const CheckRules &rules)
 void findTouching(const LookedAtPlan &at, std::vector<Finding> &found)
 {
     const Analysis &analysis = at.analysis;
-    std::set<std::pair<int, int>> pairs;
+    std::map<std::pair<int, int>, Vec3> pairs; // and where
     for (const Joint &joint : analysis.assembly.joints)
         if (onlyTouch(joint, at.rules))
-            pairs.emplace(joint.a, joint.b);
+            pairs.emplace(std::pair(joint.a, joint.b), middleOf(joint));
     for (const PartOverlap &overlap : at.plan.overlaps) {
         const std::pair pair{at.plan.bodies.sectionOf(overlap.a),
                              at.plan.bodies.sectionOf(overlap.b)};
         const Joint *joint = analysis.assembly.joints.find(pair.first, pair.second);
         if (overlap.how.depth < at.rules.touching && (!joint || onlyTouch(*joint, at.rules)))
-            pairs.emplace(pair.first, pair.second);
+            pairs.emplace(pair, overlap.how.at);
     }
     if (pairs.empty())
         return;
     Finding finding = makeFinding(kTouching, Severity::Note,
                                   Touching{static_cast<int>(pairs.size()), at.rules.touching});
     std::set<int> sections;
-    for (const auto &[a, b] : pairs)
-        sections.insert({a, b});
+    for (const auto &[pair, where] : pairs)
+        sections.insert({pair.first, pair.second});
+    if (pairs.size() == 1)
+        finding.at = pairs.begin()->second;
     finding.sections = analysis.model.refs({sections.begin(), sections.end()});
     found.push_back(std::move(finding));
 }

@@ -20,6 +20,8 @@
 
 #include <QLocale>
 
+#include <cmath>
+
 using namespace fff;
 using namespace fff::test;
 
@@ -287,6 +289,17 @@ void TestLoosePieces::whatOnlyTouchesIsOneLine()
     const Finding *touching = fff::test::find(found.all, kTouching);
     QVERIFY(touching);
     QCOMPARE(touching->severity, Severity::Note);
+    QVERIFY(!touching->at); // there are three places
+
+    Document one = withSection(newDocument(), plateOf(-60, -60, 60, 60), shelfAt(60));
+    one = withSection(one, plateOf(-20, 0, 20, 58.7), front(0.0));
+    const Judged single = judged(one);
+    const Finding *pair = fff::test::find(single.all, kTouching);
+    QVERIFY(pair && pair->at);
+    // In both of them.
+    const Vec3 where = *pair->at;
+    QVERIFY(std::abs(where.x()) <= 20.0 && std::abs(where.z()) <= 1.5);
+    QVERIFY(where.y() >= 58.5 && where.y() <= 58.7);
 }
 
 void TestLoosePieces::pressedFarTooTight()
