@@ -27,8 +27,9 @@ constexpr double kLevel = 0.03;
 constexpr double kCutCorner = 2.0;
 /// Tolerances, and part of the shorter of its lines, that a corner may go to where these meet.
 constexpr double kCornerWay = 4.0, kCornerShare = 0.2;
-/// Radians, and tolerances, by which a right angle and a corner are off for it to be worth a word.
-constexpr double kWorthTurning = 0.005, kWorthMoving = 0.05;
+/// Radians, and tolerances, by which a right angle is off, and a line is bent or a corner moves,
+/// for it to be worth a word: less is not seen.
+constexpr double kWorthTurning = 0.005, kWorthSeeing = 0.25;
 
 /// From one corner to the next.
 struct Edge
@@ -37,6 +38,7 @@ struct Edge
     Vec2 from = Vec2::Zero(), to = Vec2::Zero(), middle = Vec2::Zero();
     Vec2 way = Vec2::Zero(); // unit, of one that is straight
     double length = 0.0;     // mm, of its chord
+    double bent = 0.0;       // mm that it goes off its chord at the most
     bool isStraight = false;
     bool isTurned = false; // to lie along or across others
 };
@@ -66,9 +68,9 @@ Edge edgeOf(const Contour &contour, int first, int count, double tolerance)
             furthest = std::max(furthest, along);
         }
     }
-    const double most = std::max(left, right);
-    edge.isStraight = goesOn && most <= kMostBent * edge.length &&
-                      most <= std::max(kBentBy * tolerance, kBentShare * edge.length);
+    edge.bent = std::max(left, right);
+    edge.isStraight = goesOn && edge.bent <= kMostBent * edge.length &&
+                      edge.bent <= std::max(kBentBy * tolerance, kBentShare * edge.length);
     edge.middle = 0.5 * (edge.from + edge.to) +
                   0.5 * (left - right) * perpendicular(edge.way); // between both sides of it
     return edge;
@@ -207,18 +209,19 @@ std::optional<Straightened> straightened(const Contour &drawn, double tolerance)
     bool isChanged = dropCutCorners(edges, tolerance);
     Straightened result;
     result.hasRightAngles = turnAlongEachOther(edges);
+    isChanged = isChanged || result.hasRightAngles;
     std::vector<Vec2> corners; // where each edge starts
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge &before = edges[(i + edges.size() - 1) % edges.size()];
         corners.push_back(cornerBetween(before, edges[i], tolerance));
-        isChanged = isChanged || (corners[i] - edges[i].from).norm() > kWorthMoving * tolerance;
+        isChanged = isChanged || (corners[i] - edges[i].from).norm() > kWorthSeeing * tolerance;
     }
     std::vector<CubicBezier> segments;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge &edge = edges[i];
         const Vec2 &from = corners[i], &to = corners[(i + 1) % edges.size()];
         if (edge.isStraight) {
-            isChanged = isChanged || edge.count > 1 || !isLine(drawn.segment(edge.first));
+            isChanged = isChanged || edge.bent > kWorthSeeing * tolerance;
             segments.push_back(CubicBezier::line(from, to));
             continue;
         }

@@ -77,6 +77,7 @@ private Q_SLOTS:
     void figureIsWhereItWasDrawn();
     void boxByHandHasRightAngles();
     void bentLineIsStraight();
+    void whatNobodySeesIsNotOffered();
     void curvesStay();
     void nothingBetterIsNothing();
     void smallLoopsAreNoTwitches();
@@ -181,6 +182,27 @@ void TestMeantShape::bentLineIsStraight()
     QVERIFY(meant && meant->kind == Kind::StraightLines);
     QCOMPARE(meant->contour.segmentCount(), 3);
     QVERIFY(resolveCrossings(meant->contour) && !resolveCrossings(meant->contour)->wasCrossing);
+}
+
+// Wrong: "make its lines straight" was offered where nobody could see what it does.
+void TestMeantShape::whatNobodySeesIsNotOffered()
+{
+    const Vec2 corners[] = {{0, 0}, {300, 0}, {120, 230}};
+    const auto bentBy = [&corners](double bent) {
+        std::vector<CubicBezier> sides;
+        for (int i = 0; i < 3; ++i) {
+            const Vec2 &from = corners[i], &to = corners[(i + 1) % 3];
+            CubicBezier side = CubicBezier::line(from, to);
+            const Vec2 off = bent / 0.75 * perpendicular((to - from).normalized());
+            side.p1 += off;
+            side.p2 += off;
+            sides.push_back(side);
+        }
+        return *Contour::fromSegments(sides);
+    };
+    QVERIFY(!meantShape(bentBy(0.15 * kTolerance), kTolerance));
+    const auto seen = meantShape(bentBy(kTolerance), kTolerance);
+    QVERIFY(seen && seen->kind == Kind::StraightLines);
 }
 
 /// Three sides of a box that lean, and a bow in place of the fourth.
