@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -20,6 +21,8 @@ namespace {
 constexpr double kLeastUpright = 0.5;
 /// What is stretched gets so many times as long at most.
 constexpr double kMostStretched = 2.0;
+/// Thicknesses of its sheet that a foot has to lie on the ground with, or it gets a sole.
+constexpr double kSole = 3.0;
 /// So many of the lowest sections are looked at, and so many stretched at once.
 constexpr std::size_t kMostLooked = 32, kMostFeet = 4;
 
@@ -68,6 +71,46 @@ double heldFrom(const Analysis &analysis, int index, const Vec2 &up)
                 hold(section.frame.toLocal(joint.crossing->axis.at(at)));
     }
     return held.value_or(up.dot(section.shape->centroid()));
+}
+
+std::optional<ShapePointer> drawnOut(const Shape &shape, const Halfplane &kept, double factor)
+{
+    Result<Contour> contour = stretchedOutside(shape.contour(), kept, factor);
+    std::vector<Contour> holes;
+    for (const Contour &hole : shape.holes()) {
+        Result<Contour> next = stretchedOutside(hole, kept, factor);
+        if (!next)
+            return {};
+        holes.push_back(*std::move(next));
+    }
+    if (!contour)
+        return {};
+    Result<ShapePointer> made = Shape::make(*std::move(contour), std::move(holes));
+    return made ? std::optional(*std::move(made)) : std::nullopt;
+}
+
+/// How long what lies on the ground is, mm.
+double soleOf(const Shape &shape, const Vec2 &up, double ground)
+{
+    double from = std::numeric_limits<double>::infinity(), to = -from;
+    for (const Vec2 &p : shape.region().outer) {
+        if (up.dot(p) > ground + kGroundContact)
+            continue;
+        from = std::min(from, cross(up, p));
+        to = std::max(to, cross(up, p));
+    }
+    return to - from;
+}
+
+/// What lies above; nothing where that is several pieces, or has lost a hole.
+std::optional<ShapePointer> cutAt(const Halfplane &ground, const Shape &shape)
+{
+    Result<std::vector<ClippedPiece>> pieces = clip(shape.contour(), shape.holes(), ground);
+    if (!pieces || pieces->size() != 1 || pieces->front().holes.size() != shape.holes().size())
+        return {};
+    Result<ShapePointer> made =
+        Shape::make(std::move(pieces->front().outer), std::move(pieces->front().holes));
+    return made ? std::optional(*std::move(made)) : std::nullopt;
 }
 
 /// With these sections stretched.
@@ -246,18 +289,16 @@ std::optional<ShapePointer> stretchedToGround(const Analysis &analysis, int sect
     if (length <= 0.0 || factor > kMostStretched)
         return {};
     const Halfplane kept{level * plane->up, plane->up};
-    Result<Contour> contour = stretchedOutside(own.shape->contour(), kept, factor);
-    std::vector<Contour> holes;
-    for (const Contour &hole : own.shape->holes()) {
-        Result<Contour> next = stretchedOutside(hole, kept, factor);
-        if (!next)
-            return {};
-        holes.push_back(*std::move(next));
-    }
-    if (!contour)
-        return {};
-    Result<ShapePointer> shape = Shape::make(*std::move(contour), std::move(holes));
-    return shape ? std::optional(*std::move(shape)) : std::nullopt;
+    const std::optional<ShapePointer> shape = drawnOut(*own.shape, kept, factor);
+    const double ground = plane->up.dot(*foot) - height / plane->cosine;
+    if (!shape || soleOf(**shape, plane->up, ground) >= kSole * thickness)
+        return shape;
+    const double withSole = factor + thickness / length;
+    const std::optional<ShapePointer> longer =
+        withSole > kMostStretched ? std::nullopt : drawnOut(*own.shape, kept, withSole);
+    const std::optional<ShapePointer> soled =
+        longer ? cutAt({ground * plane->up, plane->up}, **longer) : std::nullopt;
+    return soled ? soled : shape;
 }
 
 std::vector<HighFoot> feetToStretch(const Analysis &analysis, const std::vector<int> &group)

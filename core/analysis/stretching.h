@@ -19,7 +19,8 @@ struct HighFoot
 /// The section (index into the model) with its lowest point on the ground: what of it lies below
 /// the lowest of its slits and joints, less a thickness, becomes longer, evenly, along its own
 /// plane; all above that level stays as it is. Curves stay curves, and what did not cross itself
-/// does not.
+/// does not. Of one that would touch the ground with a point, as what is drawn by hand does, a
+/// thickness more is drawn out and cut off there: it gets a level sole.
 ///
 /// Nothing for a section that is on the ground or below it, that has nothing to stretch, that would
 /// more than double what is stretched, that leans by more than 60° from upright, or that an

@@ -72,6 +72,7 @@ class TestStretching : public QObject
 private Q_SLOTS:
     void onlyWhatIsFreeGetsLonger_data();
     void onlyWhatIsFreeGetsLonger();
+    void itGetsALevelSole();
     void whatIsHeldStays();
     void onTheGroundNothingIsStretched();
     void notEverythingIsStretched_data();
@@ -130,9 +131,36 @@ void TestStretching::onlyWhatIsFreeGetsLonger()
     const auto [above, below] = areas(*shape, Vec2::UnitY(), level);
     const auto [aboveNow, belowNow] = areas(**longer, Vec2::UnitY(), level);
     QVERIFY(std::abs(aboveNow - above) < 1e-6 * above);
-    QVERIFY(std::abs(belowNow - below * (1.0 + growth / length)) < 1e-4 * belowNow);
+    // More is drawn out where a sole is cut, and less is left.
+    QVERIFY(belowNow < below * (1.0 + (growth + kThickness) / length) * (1.0 + 1e-4));
+    if (length - growth < kThickness)
+        QVERIFY(std::abs(belowNow - below * (1.0 + growth / length)) < 1e-4 * belowNow);
     QCOMPARE((*longer)->isPlain(), shape->isPlain());
     QCOMPARE((*longer)->holes().size(), shape->holes().size());
+}
+
+// Wrong: a leg that was drawn by hand stands on a point of it.
+void TestStretching::itGetsALevelSole()
+{
+    const auto soleOf = [](const Shape &shape) {
+        double from = 1e9, to = -1e9;
+        for (const Vec2 &p : shape.region().outer)
+            if (std::abs(p.y()) < kGroundContact)
+                from = std::min(from, p.x()), to = std::max(to, p.x());
+        return to - from;
+    };
+    const auto stretched = [](ShapePointer shape) {
+        return *stretchedToGround(analysed(withSection(newDocument(), std::move(shape), front())),
+                                  0);
+    };
+    const ShapePointer disc = stretched(*Shape::make(circle({0, 50}, 40)));
+    QVERIFY(soleOf(*disc) > 20.0);
+    const ShapePointer slanted = stretched(polygonShape({{-10, 5}, {10, 7}, {10, 90}, {-10, 90}}));
+    QVERIFY(std::abs(soleOf(*slanted) - 20.0) < 1e-3);
+    // One that is level already is as long as it was.
+    const ShapePointer level = stretched(plateOf(-20, 5, 20, 90));
+    QVERIFY(std::abs(soleOf(*level) - 40.0) < 1e-3);
+    QVERIFY(std::abs(level->area() - 40.0 * 90.0) < 1e-3);
 }
 
 // Wrong: slits are not where their mates are any more.
