@@ -3,6 +3,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/check_rules.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/stages.h"
