@@ -806,7 +806,7 @@
     </message>
     <message>
         <source>Not on the ground yet</source>
-        <translation>Noch nicht am Boden</translation>
+        <translation>Noch nicht auf dem Boden</translation>
     </message>
     <message>
         <source>Too little material. %1 is only %2 wide at one place.</source>
@@ -1263,7 +1263,7 @@
     </message>
     <message>
         <source>&amp;Export cutting files…</source>
-        <translation>Schneiddateien &amp;ausgeben …</translation>
+        <translation>Schneiddateien &amp;exportieren …</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -2513,11 +2513,11 @@
     </message>
     <message>
         <source>Export a&amp;gain</source>
-        <translation>Noch&amp;mals ausgeben</translation>
+        <translation>Noch&amp;mals exportieren</translation>
     </message>
     <message>
         <source>Export again</source>
-        <translation>Nochmals ausgeben</translation>
+        <translation>Nochmals exportieren</translation>
     </message>
     <message>
         <source>Write the same file again, with the same choices</source>
@@ -2681,7 +2681,7 @@
     </message>
     <message>
         <source>It has not been exported yet</source>
-        <translation>Es wurde noch nicht ausgegeben</translation>
+        <translation>Es wurde noch nicht exportiert</translation>
     </message>
     <message>
         <source>It has never been saved</source>
@@ -6930,7 +6930,7 @@
     </message>
     <message>
         <source>Sheets of an earlier export are still there: %1</source>
-        <translation>Platten einer früheren Ausgabe sind noch da: %1</translation>
+        <translation>Platten eines früheren Exports sind noch da: %1</translation>
     </message>
     <message>
         <source>%1; needed if the file&apos;s name does not tell.</source>
@@ -7484,6 +7484,11 @@
         <source>The model has changed; this can no longer be done.</source>
         <translation>Das Modell hat sich geändert; das geht nicht mehr.</translation>
     </message>
+    <message>
+        <source>If you click: %1.</source>
+        <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
+        <translation>Mit einem Klick: %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::CommandSearch</name>
@@ -7830,7 +7835,7 @@
     <name>fff::ui::ExportDialog</name>
     <message>
         <source>Export cutting files</source>
-        <translation>Schneiddateien ausgeben</translation>
+        <translation>Schneiddateien exportieren</translation>
     </message>
     <message>
         <source>Open the folder afterwards</source>
@@ -7856,11 +7861,11 @@
     </message>
     <message>
         <source>Export anyway</source>
-        <translation>Trotzdem ausgeben</translation>
+        <translation>Trotzdem exportieren</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation>Ausgeben …</translation>
+        <translation>Exportieren …</translation>
     </message>
 </context>
 <context>
@@ -8035,11 +8040,11 @@
     <name>fff::ui::Exporting</name>
     <message>
         <source>Export cutting files</source>
-        <translation>Schneiddateien ausgeben</translation>
+        <translation>Schneiddateien exportieren</translation>
     </message>
     <message>
         <source>Exporting %1…</source>
-        <translation>%1 wird ausgegeben …</translation>
+        <translation>%1 wird exportiert …</translation>
     </message>
     <message numerus="yes">
         <source>%n part(s)</source>
@@ -8057,11 +8062,11 @@
     </message>
     <message>
         <source>Exported %1 on %2 to %3.</source>
-        <translation>%1 auf %2 nach %3 ausgegeben.</translation>
+        <translation>%1 auf %2 nach %3 exportiert.</translation>
     </message>
     <message>
         <source>Exported %1 as solids to %2.</source>
-        <translation>%1 als Körper nach %2 ausgegeben.</translation>
+        <translation>%1 als Körper nach %2 exportiert.</translation>
     </message>
     <message numerus="yes">
         <source>%n section(s)</source>
@@ -8072,7 +8077,7 @@
     </message>
     <message>
         <source>Export somewhere else…</source>
-        <translation>Anderswohin ausgeben …</translation>
+        <translation>Anderswohin exportieren …</translation>
     </message>
     <message>
         <source>%1 is larger than the sheet. It lies on a sheet of its own size.</source>
@@ -8088,7 +8093,7 @@
     </message>
     <message>
         <source>Exported %1 on %2 to %3; slits are drawn %4 wide.</source>
-        <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4 breit gezeichnet.</translation>
+        <translation>%1 auf %2 nach %3 exportiert; Schlitze sind %4 breit gezeichnet.</translation>
     </message>
     <message>
         <source>%1 has no room for the numbers of all its joints.</source>
@@ -8108,11 +8113,11 @@
     </message>
     <message>
         <source>Exported %1 on %2 to %3; slits are drawn %4 wide (%5 − %6 kerf).</source>
-        <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4 breit gezeichnet (%5 − %6 Schnittfuge).</translation>
+        <translation>%1 auf %2 nach %3 exportiert; Schlitze sind %4 breit gezeichnet (%5 − %6 Schnittfuge).</translation>
     </message>
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
-        <translation>Platten einer früheren Ausgabe sind noch da: %1.</translation>
+        <translation>Platten eines früheren Exports sind noch da: %1.</translation>
     </message>
 </context>
 <context>
@@ -10758,7 +10763,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Export steps…</source>
-        <translation>Schritte ausgeben …</translation>
+        <translation>Schritte exportieren …</translation>
     </message>
     <message>
         <source>Close the steps (Esc)</source>
@@ -10809,15 +10814,15 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Export steps</source>
-        <translation>Schritte ausgeben</translation>
+        <translation>Schritte exportieren</translation>
     </message>
     <message>
         <source>Exporting %1…</source>
-        <translation>%1 wird ausgegeben …</translation>
+        <translation>%1 wird exportiert …</translation>
     </message>
     <message>
         <source>The steps could not be exported: no picture can be made on this display.</source>
-        <translation>Die Schritte konnten nicht ausgegeben werden: auf dieser Anzeige entsteht kein Bild.</translation>
+        <translation>Die Schritte konnten nicht exportiert werden: auf dieser Anzeige entsteht kein Bild.</translation>
     </message>
     <message numerus="yes">
         <source>%n step(s)</source>
@@ -10828,7 +10833,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Exported %1 to %2.</source>
-        <translation>%1 nach %2 ausgegeben.</translation>
+        <translation>%1 nach %2 exportiert.</translation>
     </message>
     <message>
         <source>Exported %1 to %2 … %3.</source>
@@ -10836,7 +10841,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Export somewhere else…</source>
-        <translation>Anderswohin ausgeben …</translation>
+        <translation>Anderswohin exportieren …</translation>
     </message>
     <message>
         <source>Nothing was written: the export was cancelled.</source>

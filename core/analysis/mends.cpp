@@ -25,17 +25,18 @@ struct Judge
     std::optional<Mend> mend(const FindingAction &action, const Finding &finding) const
     {
         if (!fff::isEdit(*action.kind))
-            return Mend{action, {}, {}};
+            return Mend{action, {}, nullptr};
         std::optional<FindingEdit> edit = carriedOut(action, finding, analysis, flips);
         if (!edit)
             return {};
-        const std::optional<Trials::Outcome> tried =
+        std::optional<Trials::Outcome> tried =
             trials.of(evaluate(edit->document, analysis.model), rules, stop);
         if (!tried || !isNoWorse(findings, tried->findings) ||
             !helps(finding, findings, tried->findings))
             return {};
         Message changes = changesBetween(analysis, *tried->analysis, findings, tried->findings);
-        return Mend{action, std::move(edit), tried->analysis, std::move(changes)};
+        return Mend{action, std::move(edit),
+                    std::make_shared<const Trials::Outcome>(*std::move(tried)), std::move(changes)};
     }
 
     std::vector<Mend> mendsOf(const std::vector<FindingAction> &actions,

@@ -6,6 +6,7 @@
 #include "core/analysis/stage.h"
 #include "core/analysis/trial.h"
 
+#include <memory>
 #include <utility>
 
 namespace fff {
@@ -32,7 +33,7 @@ struct Mend
     FindingAction action;
     // Of an edit: what it makes, and what was found out about that.
     std::optional<FindingEdit> edit;
-    AnalysisPointer tried;
+    std::shared_ptr<const Trials::Outcome> tried;
     Message changes = {};
 
     bool isEdit() const { return edit.has_value(); }

@@ -289,7 +289,7 @@ void Workbench::setOutlined(std::vector<SectionRef> sections, std::vector<Sectio
     Q_EMIT viewChanged();
 }
 
-void Workbench::setTried(AnalysisPointer tried)
+void Workbench::setTried(std::shared_ptr<const Trials::Outcome> tried)
 {
     if (tried == m_tried)
         return;
@@ -307,7 +307,7 @@ void Workbench::compareTried()
     if (!m_tried)
         return;
     const Analysis &now = m_session.analysis();
-    const Model &before = now.model, &after = m_tried->model;
+    const Model &before = now.model, &after = m_tried->analysis->model;
     for (std::size_t i = 0; i < before.sectionCount(); ++i) {
         const int is = after.indexOf(before.ref(i));
         if (is >= 0 && after.section(static_cast<std::size_t>(is)) == before.section(i))
@@ -322,7 +322,7 @@ void Workbench::compareTried()
     if (!m_wasThere.empty() || !m_differing.empty())
         return;
     for (std::size_t i = 0; i < after.sectionCount(); ++i)
-        if (m_tried->assembly.slits[i] != now.assembly.slits[i])
+        if (m_tried->analysis->assembly.slits[i] != now.assembly.slits[i])
             m_differing.insert(after.ref(i));
 }
 
@@ -333,7 +333,7 @@ bool Workbench::differsInTrial(const SectionRef &ref) const
 
 const Model &Workbench::shownModel() const
 {
-    return m_tried ? m_tried->model : m_session.model();
+    return m_tried ? m_tried->analysis->model : m_session.model();
 }
 
 void Workbench::announceChanges()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/problem_look.h"
+#include "core/analysis/trial.h"
 #include "core/analysis/weak_place.h"
 #include "core/assembly/joint_editing.h"
 #include "core/interaction/commands.h"
@@ -14,6 +15,7 @@
 
 #include <QObject>
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -90,8 +92,13 @@ public:
 
     /// Shows a model that an edit would make in place of the one that is there, as long as somebody
     /// asks what it would do; null: the model again. Nothing else knows of it.
-    void setTried(AnalysisPointer tried);
-    const AnalysisPointer &tried() const { return m_tried; }
+    void setTried(std::shared_ptr<const Trials::Outcome> tried);
+    AnalysisPointer tried() const { return m_tried ? m_tried->analysis : nullptr; }
+    /// What is found of it; null: nothing is tried.
+    const std::vector<Finding> *findingsTried() const
+    {
+        return m_tried ? &m_tried->findings : nullptr;
+    }
     /// Whether the section is not there, or is not cut, as it is in what is tried.
     bool differsInTrial(const SectionRef &ref) const;
     /// What is seen: that, or the session's.
@@ -160,7 +167,7 @@ private:
     ViewState m_view;
     std::vector<SectionRef> m_outlined;
     std::vector<SectionPointer> m_ghosts;
-    AnalysisPointer m_tried;
+    std::shared_ptr<const Trials::Outcome> m_tried;
     std::set<SectionRef> m_differing;       // in that
     std::vector<SectionPointer> m_wasThere; // what is no more in that, or otherwise
     std::vector<ProblemMark> m_marks;

@@ -482,7 +482,8 @@ void ChecksDock::tryOut(int row, int index, bool isOver)
                          m_list.age() == CheckList::Age::Current;
     m_bench.setTried(isOfNow ? mend->tried : nullptr);
     if (isOfNow)
-        Q_EMIT said(messageText(mend->changes).toHtmlEscaped());
+        //: %1 is what a link would do, such as "6 joints flipped, 1 problem solved"
+        Q_EMIT said(tr("If you click: %1.").arg(messageText(mend->changes)).toHtmlEscaped());
     else if (m_isTrying)
         Q_EMIT said(QString()); // that is over
     m_isTrying = isOfNow;

@@ -13,7 +13,7 @@
 #include <QHBoxLayout>
 
 #include <algorithm>
-#include <optional>
+#include <vector>
 
 namespace fff::ui {
 
@@ -30,6 +30,17 @@ bool isDrawing(const Workbench &bench)
     const Overlay &overlay = bench.interaction().overlay();
     const PenMarks *path = overlay.find<PenMarks>();
     return overlay.find<sign::Stroke>() || (path && path->hasArea);
+}
+
+/// The worst that a badge speaks of; null: there is none.
+const Finding *shownOf(const std::vector<Finding> &findings, Subject subject)
+{
+    const Finding *shown = nullptr;
+    for (const Finding &finding : findings)
+        if (finding.subject() == subject && finding.severity != Severity::Note &&
+            (!shown || finding.severity > shown->severity))
+            shown = &finding;
+    return shown;
 }
 
 } // namespace
@@ -54,6 +65,7 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
     view->installEventFilter(this);
     connect(&list, &CheckList::changed, this, &Badges::refresh);
     connect(&settings(), &Settings::unitChanged, this, &Badges::refresh);
+    connect(&bench, &Workbench::triedChanged, this, &Badges::refresh);
     connect(&bench, &Workbench::viewChanged, this, [this] {
         if (m_isDrawing != isDrawing(m_bench))
             refresh();
@@ -78,46 +90,50 @@ bool Badges::eventFilter(QObject *object, QEvent *event)
 void Badges::refresh()
 {
     m_isDrawing = isDrawing(m_bench);
+    // Of what is only tried: which of them it would change is what it is looked at for.
+    const std::vector<Finding> *tried = m_bench.findingsTried();
     for (std::size_t i = 0; i < m_badges.size(); ++i) {
-        const Finding *shown = nullptr; // the worst
-        for (const Finding &finding : m_list.all()) {
-            if (finding.subject() == kSubjects[i] && finding.severity != Severity::Note &&
-                (!shown || finding.severity > shown->severity))
-                shown = &finding;
-        }
+        const Finding *now = shownOf(m_list.all(), kSubjects[i]);
+        const Finding *shown = tried ? shownOf(*tried, kSubjects[i]) : now;
         if (shown) {
-            const CheckWords words = checkWords(*shown, m_list.model());
+            const CheckWords words =
+                checkWords(*shown, tried ? m_bench.tried()->model : m_list.model());
+            const bool isChanged =
+                tried && (!now || now->kind != shown->kind || now->severity != shown->severity);
             m_badges[i]->setContent({shown->severity, verdictText(*shown),
                                      QStringLiteral("%1. %2").arg(words.title, words.text),
-                                     m_list.age() != CheckList::Age::Current, m_isDrawing});
+                                     m_list.age() != CheckList::Age::Current,
+                                     m_isDrawing || isChanged});
         }
         m_badges[i]->setVisible(shown != nullptr);
     }
     fold();
 }
 
-/// Words are there as long as they leave the view cube free; those of what is good go first.
+/// Words are there as long as they leave the view cube free: those of what is good go first, then
+/// of what is less bad, from the right.
 void Badges::fold()
 {
     const QSize view = parentWidget()->size();
     const auto cube = cubeCentre({view.width(), view.height()});
     const double end = cube ? cube->x() - 0.5 * kCubeRoom : view.width();
-    std::optional<Severity> folded; // up to this one
-    if (view.width() < kGlyphsOnly)
-        folded = Severity::Error;
-    const auto isFolded = [&](const Badge *badge) {
-        return folded && badge->severity() <= *folded;
-    };
-    for (const auto next : {Severity::Good, Severity::Error}) {
-        int width = kMargin;
-        for (const Badge *badge : m_badges)
-            width += badge->isHidden() ? 0 : badge->widthWhen(isFolded(badge)) + kGap;
-        if (folded == Severity::Error || width <= end)
-            break;
-        folded = next;
+    std::vector<Badge *> unfolded;
+    double width = kMargin;
+    for (Badge *badge : m_badges) {
+        badge->setFolded(view.width() < kGlyphsOnly);
+        if (badge->isHidden())
+            continue;
+        width += badge->widthWhen(view.width() < kGlyphsOnly) + kGap;
+        unfolded.insert(unfolded.begin(), badge);
     }
-    for (Badge *badge : m_badges)
-        badge->setFolded(isFolded(badge));
+    std::stable_sort(unfolded.begin(), unfolded.end(),
+                     [](const Badge *a, const Badge *b) { return a->severity() < b->severity(); });
+    for (Badge *badge : unfolded) {
+        if (width <= end)
+            break;
+        width -= badge->widthWhen(false) - badge->widthWhen(true);
+        badge->setFolded(true);
+    }
     const QSize size = layout()->sizeHint();
     if (this->size() != size)
         resize(size);
