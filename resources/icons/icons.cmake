@@ -69,6 +69,7 @@ set(icon_names
     new
     next_pane
     next_problem
+    note
     open
     operation_switch
     orthogonal

@@ -58,8 +58,9 @@ QString checkGlyph(Severity severity)
     case Severity::Good:
         return QStringLiteral("check");
     case Severity::Unknown:
-    case Severity::Note:
         return QStringLiteral("unknown");
+    case Severity::Note:
+        return QStringLiteral("note");
     case Severity::Warning:
         return QStringLiteral("warn");
     case Severity::Error:

@@ -54,7 +54,7 @@ const StressMarks *StressPicture::marks()
         return nullptr;
     if (held != m_held) {
         m_held = held;
-        m_isKept = false;
+        m_isKept = m_hasWeaker = false;
         m_marks = stressMarksOf(held->analysis, held->strength, 0.01 * settings().stressShown());
         m_marks.safety = settings().safetyFactor() / kTenths;
         m_marks.bent = bentNow(scheduler);
@@ -116,15 +116,30 @@ void StressPicture::keep(int line)
     Q_EMIT changed();
 }
 
-/// A list beside the view asks: its line is the one with the same ends.
+/// A list beside the view asks: its line is the one with the same ends. One that is strained by
+/// less than what is shown is there as long as it is asked about.
 void StressPicture::ask(const WeakPlace *place, bool opensCard)
 {
-    marks(); // they may only now be wanted
-    const auto &lines = m_marks.lines;
-    const auto found = std::find_if(lines.begin(), lines.end(), [place](const StressLine &line) {
-        return place && line.from == place->from && line.to == place->to;
-    });
-    const int line = found == lines.end() ? -1 : static_cast<int>(found - lines.begin());
+    const bool isShown = marks() != nullptr; // they may only now be wanted
+    if (place && opensCard)
+        close(); // of another one
+    const auto indexIn = [place](const std::vector<StressLine> &lines) {
+        const auto found = std::find_if(lines.begin(), lines.end(), [&](const StressLine &line) {
+            return line.from == place->from && line.to == place->to;
+        });
+        return found == lines.end() ? -1 : static_cast<int>(found - lines.begin());
+    };
+    int line = place ? indexIn(m_marks.lines) : -1;
+    if (place && line < 0 && isShown && !m_isKept) {
+        dropWeaker();
+        const std::vector<StressLine> all = stressLines(*m_held->analysis, m_held->strength, 0.0);
+        if (const int weaker = indexIn(all); weaker >= 0) {
+            m_marks.lines.insert(m_marks.lines.begin(), all[static_cast<std::size_t>(weaker)]);
+            m_marks.lit += m_marks.lit >= 0 ? 1 : 0;
+            m_hasWeaker = true;
+            line = 0;
+        }
+    }
     if (!opensCard)
         light(line);
     else if (line >= 0)
@@ -138,12 +153,22 @@ void StressPicture::close()
         light(-1);
 }
 
+void StressPicture::dropWeaker()
+{
+    if (!std::exchange(m_hasWeaker, false))
+        return;
+    m_marks.lines.erase(m_marks.lines.begin()); // they are in order
+    m_marks.lit = std::max(m_marks.lit - 1, -1);
+}
+
 void StressPicture::light(int line)
 {
     if (line == m_marks.lit || m_isKept)
         return;
     m_marks.lit = line;
     m_marks.hasCard = false;
+    if (line != 0)
+        dropWeaker();
     line < 0 ? m_rest.stop() : m_rest.start();
     Q_EMIT changed();
 }

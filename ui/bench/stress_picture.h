@@ -39,6 +39,7 @@ Q_SIGNALS:
 
 private:
     void light(int line);
+    void dropWeaker();
     void keep(int line);
     void ask(const WeakPlace *place, bool opensCard);
 
@@ -46,8 +47,9 @@ private:
     std::shared_ptr<const Holding> m_held; // that the marks are of
     StressMarks m_marks;
     std::vector<ForceMark> m_feet;
-    bool m_isKept = false; // the card of the line that is lit
-    int m_pressed = -1;    // the line that was lit where the button went down
+    bool m_isKept = false;    // the card of the line that is lit
+    bool m_hasWeaker = false; // the first line is there for who asks about it alone
+    int m_pressed = -1;       // the line that was lit where the button went down
     QPointF m_pressedAt;
     QTimer m_rest;
 };

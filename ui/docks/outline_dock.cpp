@@ -240,8 +240,11 @@ void OutlineDock::writeRow(QTreeWidgetItem *&item, const Section &section, bool 
     const auto flags = item->flags();
     item->setFlags(isDraft ? flags & ~Qt::ItemIsEditable : flags | Qt::ItemIsEditable);
     const QString name = QString::fromStdString(section.name);
+    item->setText(kName, name);
     //: %1 is the name of a section
-    item->setText(kName, isDraft ? tr("%1, being drawn").arg(name) : name);
+    const QString draft = isDraft ? tr("%1, being drawn").arg(name) : QString();
+    item->setToolTip(kName, draft);
+    item->setData(kName, Qt::AccessibleTextRole, isDraft ? QVariant(draft) : QVariant());
 }
 
 /// Makes the rows of what is new, drops those of what is gone, and writes those whose section is

@@ -98,6 +98,8 @@ void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
                  const QLocale &locale)
 {
     const std::vector<ForceMark> forces = toldApart(pen, all);
+    // What is said of a force out of sight would stick to the view's border.
+    const QRectF view(0.0, 0.0, pen.viewport().x(), pen.viewport().y());
     double largest = 0.0;
     for (const ForceMark &mark : forces)
         largest = std::max(largest, mark.force.norm());
@@ -120,6 +122,8 @@ void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
                 pen.keepFree(tip, end, 0.5 * kTip);
             }
         }
+        if (!view.contains(tip))
+            continue;
         if (mark.isOpen)
             pen.chip(
                 end + QPointF(kBesideFoot, 0.0), MarkPen::Anchor::Left,

@@ -4,6 +4,7 @@
 #include "ui/view/stress_colours.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff::ui {
 
@@ -44,8 +45,10 @@ double paintLegend(MarkPen &pen, const Legend &legend)
     const QPointF corner = underCube(pen.viewport());
     const double head = kTitleRow + (legend.heads.isEmpty() ? 0.0 : kHeadRow);
     const double foot = kMarginInside + (legend.note.isEmpty() ? 0.0 : kNoteRow);
-    const QRectF ground(corner.x() - kLegendWidth, corner.y(), kLegendWidth,
-                        head + kBarHeight + foot);
+    const double words = std::max(QFontMetricsF(bold).horizontalAdvance(legend.title),
+                                  QFontMetricsF(font).horizontalAdvance(legend.note));
+    const double width = std::max(kLegendWidth, std::ceil(words) + 2.0 * kMarginInside);
+    const QRectF ground(corner.x() - width, corner.y(), width, head + kBarHeight + foot);
     painter.setPen(Qt::NoPen);
     painter.setBrush(faded(style.panel, kGroundAlpha));
     painter.drawRoundedRect(ground, 3.0, 3.0);

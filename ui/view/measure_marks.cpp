@@ -131,6 +131,7 @@ private:
                       centre.y() + 0.36 * metrics.ascent(), painter.font(), text);
         painter.strokePath(words, roundPen(faded(m_pen.style().panel, 0.85), 3.0));
         painter.fillPath(words, m_pen.style().muted);
+        m_pen.keepFree(words.boundingRect());
     }
 
     MarkPen &m_pen;

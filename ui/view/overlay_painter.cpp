@@ -178,6 +178,7 @@ void Drawing::scaleBar()
     m_painter.strokePath(words, roundPen(faded(m_style.panel, 0.85), 3.0));
     m_painter.setPen(m_style.muted);
     m_painter.drawText(QPointF(kLeft - 0.5, bottom + 16.0), scale.text);
+    m_pen.keepFree(words.boundingRect().united(bar.boundingRect()));
 }
 
 void Drawing::invitation()

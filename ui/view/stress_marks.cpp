@@ -175,7 +175,8 @@ StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength, do
 
 double worstShown(const StressMarks &marks)
 {
-    double worst = marks.lines.empty() ? 0.0 : marks.lines.back().use;
+    const bool hasLines = !marks.lines.empty() && marks.lines.back().use >= marks.least;
+    double worst = hasLines ? marks.lines.back().use : 0.0;
     for (std::size_t i = 0; marks.bent && i < marks.bent->fields.size(); ++i)
         if (marks.bent->fields[i] && marks.bent->fields[i]->most >= marks.least)
             worst = std::max(worst, static_cast<double>(marks.bent->fields[i]->most));
