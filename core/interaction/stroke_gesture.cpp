@@ -20,6 +20,10 @@ namespace fff {
 
 namespace {
 
+/// Of 15° and 45°, the cosine and the sine: a view that is turned from an axis by less is along it,
+/// one that looks down by more looks down.
+constexpr double kAlongAxis = 0.9659258262890683, kSteep = 0.7071067811865476;
+
 /// What showing a contour costs besides its fit, in samples that are looked at.
 constexpr std::size_t kLeastPrice = 2000;
 /// So many radii of the dead zone a hand may stray that waits for the turn.
@@ -69,7 +73,18 @@ Hint refusalOf(const StrokeContour &contour)
 
 Frame firstCanvas(const Camera &camera)
 {
-    return {Vec3(0.0, kFirstPlaneHeight, 0.0), camera.right(), camera.up()};
+    Vec3 right = camera.right();
+    if (std::abs(right.y()) > kSteep) // rolled over
+        return {Vec3(0.0, kFirstPlaneHeight, 0.0), camera.right(), camera.up()};
+    right.y() = 0.0;
+    for (const Vec3 &axis : {Vec3::UnitX().eval(), Vec3::UnitZ().eval()})
+        if (const double along = axis.dot(right.normalized()); std::abs(along) > kAlongAxis)
+            right = along > 0.0 ? axis : Vec3(-axis);
+    right.normalize();
+    const double facing = camera.backward().y();
+    const Vec3 above(0.0, facing > 0.0 ? 1.0 : -1.0, 0.0);
+    return {Vec3(0.0, kFirstPlaneHeight, 0.0), right,
+            std::abs(facing) < kSteep ? Vec3(Vec3::UnitY()) : Vec3(above.cross(right))};
 }
 
 StrokeGesture::StrokeGesture(const PointerEvent &press, ContourTarget target,

@@ -12,7 +12,9 @@
 
 namespace fff {
 
-/// The plane of the first section: through (0, kFirstPlaneHeight, 0), facing the camera.
+/// The plane of the first section, through (0, kFirstPlaneHeight, 0): upright and across the view,
+/// or level where that looks down or up steeply. Nearly along the world's axes it is so. What is
+/// drawn is seen where it was drawn, and the model does not begin with a part that leans.
 Frame firstCanvas(const Camera &camera);
 
 /// A hand that does not wait for the turn (HandInTurn) loses nothing of its way: it is taken as a

@@ -5,6 +5,7 @@
 #include "core/interaction/facing.h"
 #include "core/interaction/mark_words.h"
 #include "core/interaction/snapping.h"
+#include "core/interaction/stroke_gesture.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -61,6 +62,7 @@ private Q_SLOTS:
     void rulersCountFromTheSectionsOrigin();
     void snappingOnAGridOfItsOwnKnowsTheGround();
     void figuresComeBeforeWhoeverLooks();
+    void theFirstSectionDoesNotLean();
 };
 
 void TestFacing::holesAreDrawnAsTheSectionIsSeen_data()
@@ -251,6 +253,34 @@ void TestFacing::figuresComeBeforeWhoeverLooks()
         QVERIFY(
             isFaced(desk.sections().front()->frame.normal(), desk.interaction.camera().backward()));
     }
+}
+
+// Wrong: drawn in a view of a corner, the first section leaned in two directions, and so did all
+// that was drawn on it.
+void TestFacing::theFirstSectionDoesNotLean()
+{
+    for (double turn = -180.0; turn <= 180.0; turn += 7.5) {
+        for (double down = -90.0; down <= 90.0; down += 7.5) {
+            Camera camera;
+            camera.orientation = Eigen::AngleAxisd(radians(turn), Vec3::UnitY()) *
+                                 Eigen::AngleAxisd(-radians(down), Vec3::UnitX());
+            const Frame canvas = firstCanvas(camera);
+            const Vec3 normal = canvas.normal();
+            QVERIFY(std::abs(normal.norm() - 1.0) < 1e-12);
+            QVERIFY(std::abs(std::abs(down) < 45.0 ? normal.y() : std::abs(normal.y()) - 1.0) <
+                        1e-12 ||
+                    std::abs(down) == 45.0);
+            // Seen from its front, the right to the right.
+            QVERIFY(normal.dot(camera.backward()) > 0.7);
+            QVERIFY(canvas.x.dot(camera.right()) > 0.96);
+            QVERIFY(canvas.y.dot(camera.up()) > 0.7);
+            if (std::abs(std::remainder(turn, 90.0)) < 15.0)
+                QVERIFY(std::abs(canvas.x.cwiseAbs().maxCoeff() - 1.0) < 1e-12);
+        }
+    }
+    Camera front;
+    QVERIFY(firstCanvas(front) ==
+            (Frame{Vec3(0.0, kFirstPlaneHeight, 0.0), Vec3::UnitX(), Vec3::UnitY()}));
 }
 
 FFF_TEST(TestFacing)
