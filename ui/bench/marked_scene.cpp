@@ -63,7 +63,7 @@ void markScene(Scene &scene, const Workbench &bench)
             section.isProblem = section.isFaulty = false;
         if (isTried) {
             section.isHovered = bench.differsInTrial(ref);
-            section.isGhost = !section.isHovered;
+            section.isGhost = bench.tellsDifferences() && !section.isHovered;
             section.isProblem = section.isFaulty = false; // those are of what is there
         }
     }

@@ -13,6 +13,13 @@
 
 namespace fff::ui {
 
+namespace {
+
+/// Where more sections than these would change, the model is seen as it would be, and no more.
+constexpr std::size_t kMostTold = 24;
+
+} // namespace
+
 Workbench::Workbench(QObject *parent)
     : QObject(parent), m_host(m_session), m_interaction(std::make_unique<Interaction>(m_host))
 {
@@ -319,11 +326,14 @@ void Workbench::compareTried()
     for (std::size_t i = 0; i < after.sectionCount(); ++i)
         if (before.indexOf(after.ref(i)) < 0)
             m_differing.insert(after.ref(i));
-    if (!m_wasThere.empty() || !m_differing.empty())
-        return;
-    for (std::size_t i = 0; i < after.sectionCount(); ++i)
+    const bool areSlitsAlone = m_wasThere.empty() && m_differing.empty();
+    for (std::size_t i = 0; areSlitsAlone && i < after.sectionCount(); ++i)
         if (m_tried->analysis->assembly.slits[i] != now.assembly.slits[i])
             m_differing.insert(after.ref(i));
+    if (std::max(m_wasThere.size(), m_differing.size()) > kMostTold) {
+        m_wasThere.clear();
+        m_differing.clear();
+    }
 }
 
 bool Workbench::differsInTrial(const SectionRef &ref) const

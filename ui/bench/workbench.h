@@ -101,6 +101,8 @@ public:
     }
     /// Whether the section is not there, or is not cut, as it is in what is tried.
     bool differsInTrial(const SectionRef &ref) const;
+    /// Of few sections it is told which they are; of many nobody could tell.
+    bool tellsDifferences() const { return !m_differing.empty() || !m_wasThere.empty(); }
     /// What is seen: that, or the session's.
     const Model &shownModel() const;
 
