@@ -11,6 +11,7 @@
 #include "ui/docks/check_entries.h"
 #include "ui/docks/check_row.h"
 #include "ui/settings/settings.h"
+#include "ui/window/badge.h"
 #include "ui/window/main_window.h"
 
 #include <QAbstractButton>
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 using namespace fff;
@@ -38,6 +40,8 @@ private Q_SLOTS:
     void cleanup();
 
     void itIsSeenAsLongAsTheCursorIsThere();
+    void badgesShowWhatWouldBe();
+    void wordsOfBadgesFoldFromWhatIsGood();
     void anotherModelEndsIt();
     void aClickDoesIt();
     void aClickTooEarlyIsNotLost();
@@ -107,6 +111,55 @@ void TestTryingOut::itIsSeenAsLongAsTheCursorIsThere()
     QVERIFY(&bench().shownModel() == &session().model());
     QVERIFY(session().committed().document.isSame(before));
     QCOMPARE(session().history()->count(), 1);
+}
+
+// Wrong: beside the picture of what would be stands the red badge of what is.
+void TestTryingOut::badgesShowWhatWouldBe()
+{
+    const auto verdicts = [this] {
+        std::vector<std::pair<Severity, QString>> all;
+        for (const Badge *badge : m_window->findChildren<Badge *>())
+            if (!badge->isHidden())
+                all.emplace_back(badge->severity(), badge->accessibleName());
+        return all;
+    };
+    const auto before = verdicts();
+    hover(true);
+    const auto tried = verdicts();
+    hover(false);
+    QVERIFY(verdicts() == before);
+    const auto errorsIn = [](const auto &all) {
+        return std::count_if(all.begin(), all.end(),
+                             [](const auto &one) { return one.first == Severity::Error; });
+    };
+    QVERIFY(errorsIn(tried) < errorsIn(before));
+    link()->click();
+    finish();
+    QTRY_VERIFY(verdicts() == tried); // and that is what comes
+}
+
+// Wrong: in a narrow view "Sections overlap" loses its words, and "Connected" keeps them.
+void TestTryingOut::wordsOfBadgesFoldFromWhatIsGood()
+{
+    bool wasFolded = false, wasMixed = false;
+    for (int width = 1600; width >= 1024; width -= 16) {
+        m_window->resize(width, 700);
+        QCoreApplication::processEvents();
+        int goodWithWords = 0, badWithout = 0, all = 0, without = 0;
+        for (const Badge *badge : m_window->findChildren<Badge *>()) {
+            if (badge->isHidden())
+                continue;
+            const bool isFolded = badge->width() <= badge->widthWhen(true);
+            ++all;
+            without += isFolded ? 1 : 0;
+            goodWithWords += badge->severity() == Severity::Good && !isFolded ? 1 : 0;
+            badWithout += badge->severity() == Severity::Error && isFolded ? 1 : 0;
+        }
+        QVERIFY(badWithout == 0 || goodWithWords == 0);
+        wasFolded = wasFolded || without > 0;
+        wasMixed = wasMixed || (without > 0 && without < all);
+    }
+    QVERIFY(wasFolded && wasMixed);
 }
 
 // Wrong: the view goes on showing what some edit would have made of a model that is gone.
