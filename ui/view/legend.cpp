@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kBelowCube = 12.0, kBeside = 8.0; // px, to the cube and the view's border
 constexpr double kLegendWidth = 108.0, kMarginInside = 12.0;
-constexpr double kTitleRow = 32.0, kHeadRow = 18.0, kNoteRow = 20.0; // px
+constexpr double kTitleRow = 32.0, kHeadRow = 22.0, kNoteRow = 20.0; // px
 constexpr double kBarWidth = 12.0, kBarHeight = 160.0;
 constexpr double kFirstColumn = 34.0, kNextColumn = 42.0; // px, from the bar to the end of numbers
 constexpr double kGroundAlpha = 0.72;
