@@ -76,7 +76,9 @@ void PenTool::setCanvas(CanvasChoice choice, bool isFirst, const GestureContext 
         targets.addPoint(Vec2::Zero());
         targets.addPoint({(parent->slitTo - parent->slitFrom).norm(), 0.0});
     }
-    m_canvas = Canvas{std::move(choice), std::move(targets), isFirst, false};
+    TemplateGuides guides(context.model, frame);
+    targets.setGuides(guides.loops());
+    m_canvas = Canvas{std::move(choice), std::move(targets), std::move(guides), isFirst, false};
     m_snap.reset();
     m_typed.reset();
 }

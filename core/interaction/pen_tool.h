@@ -17,6 +17,7 @@
 
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/slit_turn.h"
+#include "core/interaction/template_guides.h"
 #include "core/interaction/tool.h"
 
 namespace fff {
@@ -58,6 +59,7 @@ private:
     {
         CanvasChoice choice;
         SnapTargets targets;   // of the model alone
+        TemplateGuides guides; // what it cuts of templates
         bool isFirst = false;  // faces the view until something is set on it
         bool isOnEdge = false; // as the view looks at it now
     };

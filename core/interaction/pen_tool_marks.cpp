@@ -42,6 +42,7 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
                                canvas.targets.grid().x});
     if (canvas.choice.distance && m_path.isEmpty())
         signs.add(planeMark(target.canvas, context));
+    canvas.guides.show(nullptr, false, signs);
     signs.add(sign::Rulers{canvas.targets.grid()});
     PenMarks &marks = signs.put(PenMarks());
     marks.purpose = target.purpose;

@@ -43,6 +43,10 @@ PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
         std::find(m_before.begin(), m_before.end(), target.point) != m_before.end();
     if (target.kind == PointTarget::Kind::Anchor && !isSelected)
         m_moved = {target.point};
+    if (target.kind == PointTarget::Kind::Anchor && context.settings.snaps) {
+        m_guides = TemplateGuides(context.model, m_frame);
+        m_loops = m_guides.loops();
+    }
     m_pressed = placeOnPlane(m_frame, context.camera, context.viewport, press.position)
                     .value_or(target.place);
 }
@@ -60,6 +64,15 @@ Vec2 PointGesture::straightened(const Vec2 &by) const
         return by;
     direction.normalize();
     return direction.dot(by) * direction;
+}
+
+/// To where the point that is held lies on a guide.
+Vec2 PointGesture::caught(const Vec2 &by, const GestureContext &context) const
+{
+    const Vec2 from = m_loops ? position(*m_shape, m_target.point) : Vec2(Vec2::Zero());
+    const auto place =
+        nearestOnLoops(from + by, m_loops, kSnapReach * context.camera.millimetresPerPixel);
+    return place ? Vec2(*place - from) : by;
 }
 
 PointEdit PointGesture::edited(const Vec2 &by, bool breaks, const Document &document,
@@ -95,8 +108,9 @@ GestureReply PointGesture::handle(const PointerEvent &event, GestureContext &con
     GestureReply reply;
     const auto place = placeOnPlane(m_frame, context.camera, context.viewport, event.position);
     Vec2 by = place ? Vec2(*place - m_pressed) : Vec2::Zero();
-    if (event.modifiers.shift)
-        by = straightened(by);
+    by = event.modifiers.shift ? straightened(by) : caught(by, context);
+    context.overlay.drawn.clear();
+    m_guides.show(nullptr, false, context.overlay.drawn);
     // A release where the last move was commits the very document that is shown, slits and all.
     const bool isAsShown =
         m_shown && m_shown->by == by && m_shown->breaks == event.modifiers.control;

@@ -4,9 +4,13 @@
 #include "core/interaction/gesture.h"
 #include "core/interaction/point_editing.h"
 #include "core/interaction/point_sight.h"
+#include "core/interaction/template_guides.h"
 
 namespace fff {
 
+/// A point that comes near to where the plane cuts a template is caught by that (kSnapReach), as
+/// long as Snap is on.
+///
 /// Every move starts from the committed shape. What would cross itself is not shown: the drag stays
 /// at the last place where the shape was whole, and says so. Ctrl: anchors leave their handles
 /// where they are, and a handle its opposite one. Shift: anchors move along one axis of the frame,
@@ -28,6 +32,7 @@ private:
     PointEdit edited(const Vec2 &by, bool breaks, const Document &document,
                      const PointRules &rules) const;
     Vec2 straightened(const Vec2 &by) const;
+    Vec2 caught(const Vec2 &by, const GestureContext &context) const;
 
     /// What the newest move asked for.
     struct Shown
@@ -43,6 +48,8 @@ private:
     std::string m_name; // of the section
     ShapePointer m_shape;
     Frame m_frame;
+    TemplateGuides m_guides;
+    GuideLoops m_loops;                          // of them
     std::vector<PointAddress> m_before, m_moved; // selected
     Vec2 m_pressed = Vec2::Zero();               // frame coordinates
     std::optional<EditedPoints> m_last;          // the newest that is whole

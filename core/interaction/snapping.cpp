@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/curve_crossing.h"
+#include "core/geometry/segment_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -137,6 +138,23 @@ Frame ownGrid(const Frame &canvas, const Eigen::Quaterniond &orientation)
     return grid;
 }
 
+std::optional<Vec2> nearestOnLoops(const Vec2 &point, const GuideLoops &loops, double reach)
+{
+    std::optional<Vec2> best;
+    double least = reach;
+    for (std::size_t k = 0; loops && k < loops->size(); ++k) {
+        const Polygon &loop = (*loops)[k];
+        for (std::size_t to = 0, from = loop.size() - 1; to < loop.size(); from = to++) {
+            const Vec2 place = nearestOfSegment(point, loop[from], loop[to]);
+            if (const double distance = (place - point).norm(); distance < least) {
+                least = distance;
+                best = place;
+            }
+        }
+    }
+    return best;
+}
+
 SnapTargets::SnapTargets(const Frame &canvas, const Frame &grid) : m_canvas(canvas), m_grid(grid)
 {
     if (!isLevel(canvas.normal()))
@@ -210,6 +228,11 @@ Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPe
     const double reach = kSnapReach * millimetresPerPixel;
     if (const std::optional<Vec2> target = nearestPoint(point, targets, reach, before))
         return {Snap::Kind::Point, *target, {}, false};
+
+    const double holding = before.kind == Snap::Kind::Guide ? kSnapRelease : 1.0;
+    if (const std::optional<Vec2> place =
+            nearestOnLoops(point, targets.guides(), holding * guideReach(millimetresPerPixel)))
+        return {Snap::Kind::Guide, *place, {}, false};
 
     const std::vector<Line> lines = linesOf(targets);
     const double step = gridStep(millimetresPerPixel);

@@ -1,5 +1,5 @@
-// What a point on a canvas is drawn to: other points, lines level and upright with them, the
-// ground, a grid. For every tool that sets or moves points:
+// What a point on a canvas is drawn to: other points, the cuts of templates, lines level and
+// upright with points, the ground, a grid. For every tool that sets or moves points:
 //
 //     SnapTargets targets(canvas, camera.orientation);        when the canvas or the model changes
 //     targets.addModel(model, view, {});
@@ -15,6 +15,8 @@
 #include "core/interaction/view_state.h"
 #include "core/model/model.h"
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +39,18 @@ inline constexpr double kGridPixels = 8.0;
 /// How near a point comes before it is caught, px, and how much further it must go to get away.
 inline constexpr double kSnapReach = 8.0, kSnapRelease = 1.3;
 
+/// The same of where the canvas cuts a template: mm, but never more than so many px.
+inline constexpr double kGuideReach = 12.7, kGuidePixels = 24.0;
+inline double guideReach(double millimetresPerPixel)
+{
+    return std::min(kGuideReach, kGuidePixels * millimetresPerPixel);
+}
+
+/// Closed lines on a canvas, mm; null: none.
+using GuideLoops = std::shared_ptr<const std::vector<Polygon>>;
+/// The nearest place on one of them, less than `reach` mm away.
+std::optional<Vec2> nearestOnLoops(const Vec2 &point, const GuideLoops &loops, double reach);
+
 class SnapTargets
 {
 public:
@@ -56,8 +70,12 @@ public:
     /// sections that lie in it their points; ends of slits that lie in it. `except` adds nothing.
     void addModel(const Model &model, const ViewState &view, const SectionRef &except);
 
+    /// What the canvas cuts of templates.
+    void setGuides(GuideLoops loops) { m_guides = std::move(loops); }
+
     const Frame &canvas() const { return m_canvas; }
     const Frame &grid() const { return m_grid; }
+    const GuideLoops &guides() const { return m_guides; }
     const std::vector<Vec2> &points() const { return m_points; }
     const std::vector<Vec2> &aligned() const { return m_aligned; }
     bool meetsGround() const { return m_ground.has_value(); }
@@ -72,6 +90,7 @@ private:
 
     Frame m_canvas, m_grid;
     std::vector<Vec2> m_points, m_aligned;
+    GuideLoops m_guides;
     std::optional<double> m_ground;
 };
 
@@ -79,7 +98,7 @@ private:
 struct Snap
 {
     /// The stronger the later.
-    enum class Kind { None, Grid, Line, Crossing, Point };
+    enum class Kind { None, Grid, Line, Crossing, Guide, Point };
 
     Kind kind = Kind::None;
     Vec2 point = Vec2::Zero();
@@ -90,9 +109,9 @@ struct Snap
     bool operator==(const Snap &) const = default;
 };
 
-/// Where the point goes, strongest first: a point within reach, where two lines cross that are both
-/// within reach, one such line (and on it the grid), the grid. `before`: what caught it last, which
-/// holds it a little longer.
+/// Where the point goes, strongest first: a point within reach, a guide within guideReach(), where
+/// two lines cross that are both within reach, one such line (and on it the grid), the grid.
+/// `before`: what caught it last, which holds it a little longer.
 Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPerPixel,
              const Snap &before);
 

@@ -27,7 +27,7 @@ void StrokeGesture::followTemplates(const GestureContext &context)
     m_followed = followed ? followed->name : std::string();
     if (followed && context.settings.snaps)
         m_stroke.setGuides(
-            m_templates.curves(TemplateGuides::reachAt(context.camera.millimetresPerPixel)));
+            m_templates.curves(guideReach(context.camera.millimetresPerPixel)));
 }
 
 bool StrokeGesture::hasGuide() const

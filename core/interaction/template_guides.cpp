@@ -79,6 +79,16 @@ std::shared_ptr<const Guides> TemplateGuides::curves(double reach) const
     return guides;
 }
 
+GuideLoops TemplateGuides::loops() const
+{
+    if (m_loops.empty())
+        return nullptr;
+    auto loops = std::make_shared<std::vector<Polygon>>();
+    for (const TemplateLoop &loop : m_loops)
+        loops->push_back(loop.points);
+    return loops;
+}
+
 bool TemplateGuides::touches(const TemplateLoop &loop, double slitLength) const
 {
     for (std::size_t i = 0; i < loop.points.size(); ++i)

@@ -4,20 +4,18 @@
 
 #include "core/interaction/contour_target.h"
 #include "core/interaction/overlay.h"
+#include "core/interaction/snapping.h"
 #include "core/model/model.h"
 #include "core/stroke/guided_line.h"
 #include "core/templates/template_cut.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace fff {
 
-/// How near to a guide a stroke is caught by it: so many mm, but never further than so many px.
-inline constexpr double kGuideReach = 12.7, kGuidePixels = 24.0;
-/// And how near a click on one, px.
+/// How near to one a click is on it, px.
 inline constexpr double kGuideClick = 10.0;
 
 class TemplateGuides
@@ -35,6 +33,9 @@ public:
     /// The loops as curves, for a stroke to follow; null without any. reach: mm.
     std::shared_ptr<const Guides> curves(double reach) const;
 
+    /// The loops as they are cut, for points to be caught by; null without any.
+    GuideLoops loops() const;
+
     /// A section that follows a guide all round.
     struct Whole
     {
@@ -49,12 +50,6 @@ public:
 
     /// A loop passes so near to the point, canvas coordinates, mm.
     bool isAt(const Vec2 &point, double reach) const;
-
-    /// mm, at this scale of the view.
-    static double reachAt(double millimetresPerPixel)
-    {
-        return std::min(kGuideReach, kGuidePixels * millimetresPerPixel);
-    }
 
     /// line: what follows them so far, where there is one. isOffered: the whole of one can be
     /// taken, which is said beside it.

@@ -1,6 +1,8 @@
 // Sections that are drawn over a mesh: along its cut, free of it, and of all of it at once.
 #include "tests/core/interaction/desk.h"
 
+#include "core/interaction/pen_marks.h"
+#include "core/model/point_edits.h"
 #include "core/model/template_edits.h"
 #include "core/templates/template_cut.h"
 #include "core/templates/template_mesh.h"
@@ -81,6 +83,8 @@ private Q_SLOTS:
     void aSlitBesideTheMesh();
     void aPlaneIsTakenWithAClick();
     void hiddenOnesAreNoGuides();
+    void pointsOfThePenLieOnTheMesh();
+    void draggedPointsComeToLieOnTheMesh();
     void undoGivesBackWhatWasThere();
 };
 
@@ -212,6 +216,47 @@ void TestTemplateStrokes::hiddenOnesAreNoGuides()
     desk.run("template.set", {{"template", "Ball"}, {"hidden", "true"}});
     drawRound(desk, 3.0, 0.98);
     QVERIFY(offBall(*desk.sections()[0]) > 2.0);
+}
+
+// Wrong: a stroke follows the mesh, but a point of the pen is set beside it.
+void TestTemplateStrokes::pointsOfThePenLieOnTheMesh()
+{
+    const auto off = [](const Vec2 &p) { return std::abs(p.norm() - kBall); };
+    for (const bool isFree : {false, true}) {
+        Desk desk;
+        addBall(desk);
+        desk.run("section.pen");
+        for (double angle : {0.3, 1.4, 2.9, 4.1, 5.5}) {
+            const double r = kBall + 4.0 * std::cos(7.0 * angle);
+            desk.click(desk.plate(r * std::cos(angle), r * std::sin(angle)),
+                       isFree ? kControl : Modifiers{});
+        }
+        QVERIFY(desk.interaction.overlay().find<sign::Guides>());
+        const PenMarks *path = desk.interaction.overlay().find<PenMarks>();
+        QCOMPARE(path->points.size(), std::size_t(5));
+        double most = 0.0;
+        for (const PathPoint &point : path->points)
+            most = std::max(most, off(point.at));
+        QVERIFY2(isFree ? most > 1.0 : most < 0.05, qPrintable(QString::number(most)));
+    }
+}
+
+// The same of a point that is dragged; what is held with it moves along.
+void TestTemplateStrokes::draggedPointsComeToLieOnTheMesh()
+{
+    Desk desk;
+    addBall(desk);
+    desk.addPlate(0.0, {30, 20});
+    desk.interaction.select({desk.sections().front()->id});
+    const auto corner = [&desk] { return position(*desk.sections().front()->shape, {0, 2}); };
+    const Vec2 before = corner();
+    const Vec2 nearBall = (kBall - 0.8) * before.normalized();
+    desk.drag({desk.plate(before.x(), before.y()), desk.plate(nearBall.x(), nearBall.y())});
+    QVERIFY(std::abs(corner().norm() - kBall) < 0.05);
+    desk.session.history()->undo();
+    desk.interaction.settings().snaps = false;
+    desk.drag({desk.plate(before.x(), before.y()), desk.plate(nearBall.x(), nearBall.y())});
+    QVERIFY((corner() - nearBall).norm() < 1e-6);
 }
 
 void TestTemplateStrokes::undoGivesBackWhatWasThere()
