@@ -6564,6 +6564,45 @@
     </message>
 </context>
 <context>
+    <name>Suggestion</name>
+    <message>
+        <source>%1 is too small or too thin for sections that are %2 thick.</source>
+        <extracomment>%1 is the name of a template, %2 a length</extracomment>
+        <translation>%1 ist zu klein oder zu dünn für Scheiben, die %2 dick sind.</translation>
+    </message>
+    <message>
+        <source>No sections of %1 were found that hold each other and stand.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Von %1 wurden keine Scheiben gefunden, die einander halten und stehen.</translation>
+    </message>
+    <message>
+        <source>No further section of %1 was found that fits among those that are there.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Von %1 wurde keine weitere Scheibe gefunden, die zwischen die vorhandenen passt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n sections of %1 were found: any more would be in the way of these, or be held by none.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>Von %1 wurde nur %n Scheibe gefunden: Jede weitere wäre ihr im Weg oder hätte keinen Halt.</numerusform>
+            <numerusform>Von %1 wurden nur %n Scheiben gefunden: Jede weitere wäre ihnen im Weg oder hätte keinen Halt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections of %1 are the fewest that were found to stand.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>%n Scheibe von %1 ist das Wenigste, was steht.</numerusform>
+            <numerusform>Weniger als %n Scheiben von %1, die stehen, wurden nicht gefunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was lowered into the ground by %2, so that its sections stand on a flat foot.</source>
+        <extracomment>%1 is the name of a template, %2 a length</extracomment>
+        <translation>%1 wurde um %2 in den Boden abgesenkt, damit die Scheiben auf flachem Fuß stehen.</translation>
+    </message>
+</context>
+<context>
     <name>fff::SectionNames</name>
     <message>
         <source>%1 and %2</source>

@@ -554,6 +554,25 @@
     </message>
 </context>
 <context>
+    <name>Suggestion</name>
+    <message numerus="yes">
+        <source>Only %n sections of %1 were found: any more would be in the way of these, or be held by none.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>Only %n section of %1 was found: any more would be in the way of it, or be held by none.</numerusform>
+            <numerusform>Only %n sections of %1 were found: any more would be in the way of these, or be held by none.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections of %1 are the fewest that were found to stand.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>%n section of %1 is the fewest that was found to stand.</numerusform>
+            <numerusform>%n sections of %1 are the fewest that were found to stand.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::AgoText</name>
     <message numerus="yes">
         <source>%n minute(s) ago</source>

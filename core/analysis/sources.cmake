@@ -70,4 +70,12 @@ target_sources(fff_core PRIVATE
     analysis/trial_words.cpp
     analysis/verdicts.cpp
     analysis/weak_place.cpp
+    analysis/suggesting/form_samples.cpp
+    analysis/suggesting/point_buckets.cpp
+    analysis/suggesting/suggested_base.cpp
+    analysis/suggesting/suggested_cut.cpp
+    analysis/suggesting/suggested_group.cpp
+    analysis/suggesting/suggested_planes.cpp
+    analysis/suggesting/suggestion.cpp
+    analysis/suggesting/suggestion_judge.cpp
 )

@@ -1,4 +1,4 @@
-// A polyline with fewer points that is nowhere far from the one it is of. Internal to geometry.
+// A polyline with fewer points that is nowhere far from the one it is of.
 #pragma once
 
 #include "core/geometry/vector.h"

@@ -87,3 +87,11 @@ target_compile_definitions(tests_held PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/r
 fff_tests(tests_laws LIBRARIES fff::session TESTS core/session/tst_strength_laws)
 target_sources(tests_laws PRIVATE core/session/law_models.cpp core/session/random_drawings.cpp)
 target_compile_definitions(tests_laws PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
+
+# Suggested sections of meshes made by code; the table beside an even grid is printed by hand.
+fff_tests(tests_suggestion LIBRARIES fff::session TESTS core/session/tst_suggestion)
+target_sources(tests_suggestion PRIVATE core/session/suggested_forms.cpp)
+add_executable(suggestion_table EXCLUDE_FROM_ALL
+    core/session/suggestion_table.cpp
+    core/session/suggested_forms.cpp)
+target_link_libraries(suggestion_table PRIVATE fff::session fff_common Qt6::Gui Eigen3::Eigen)

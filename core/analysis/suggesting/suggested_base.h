@@ -1,0 +1,34 @@
+// The first sections of a suggestion: the few that hold each other and stand.
+#pragma once
+
+#include "core/analysis/suggesting/shown_form.h"
+#include "core/analysis/suggesting/suggested_group.h"
+
+#include <deque>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace fff {
+
+struct SuggestedBase
+{
+    std::vector<std::size_t> cuts; // in the order in which they come
+    double ground = 0.0;           // Y, world, mm, below which the template is to be cut off
+};
+
+inline constexpr std::size_t kMostInBase = 4;
+
+/// Two cuts where two stand, three or four where it takes these, of those that show most; cut off
+/// at the ground as little as lets them stand steadily.
+///
+/// lowest, height  of the template, Y and mm
+/// accepts  is asked about each that is found, the best first; at most a few times a height
+/// Nothing where none is accepted, or it was stopped.
+std::optional<SuggestedBase>
+suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
+              double lowest, double height,
+              const std::function<bool(const SuggestedBase &)> &accepts,
+              const std::stop_token &stop);
+
+} // namespace fff

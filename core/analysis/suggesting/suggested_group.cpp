@@ -1,0 +1,207 @@
+#include "core/analysis/suggesting/suggested_group.h"
+
+#include "core/assembly/intervals.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/segment_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+// Times the thickness.
+constexpr double kLeastHold = 4.0;     // of an overlap: half of it is a slit
+constexpr double kBetweenSlits = 2.1;  // from the middle of one to that of the next
+constexpr double kBetweenPlanes = 2.1; // the same of sections side by side
+constexpr double kFootLook = 0.15;  // above the ground, where what is off by kCutError has its feet
+constexpr double kBesideSlit = 0.6; // from its wall to the edge, or what stays there is weak
+/// Radians (40°): slits of sections at less get wide.
+constexpr double kLeastAngle = 0.6981317007977318;
+/// Sine: ways that differ by less are one.
+constexpr double kSameWay = 0.01;
+
+Box3 boxOf(const SuggestedCut &cut, double margin)
+{
+    Box3 box;
+    for (const Vec2 &p : cut.region.outer)
+        box.extend(cut.frame.toWorld(p));
+    box.min.array() -= margin;
+    box.max.array() += margin;
+    return box;
+}
+
+/// Of two segments in one plane.
+double distanceBetweenSegments(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &d)
+{
+    const bool areCrossing = cross(b - a, c - a) * cross(b - a, d - a) < 0.0 &&
+                             cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
+    if (areCrossing)
+        return 0.0;
+    return std::min({distanceToSegment(a, c, d), distanceToSegment(b, c, d),
+                     distanceToSegment(c, a, b), distanceToSegment(d, a, b)});
+}
+
+/// Whether there is material enough along both sides of a slit: but for its ends, where the edge
+/// may come in at a slant.
+bool isFramed(const PlaneLine &line, double from, double to, const Region &region, double half,
+              double beside)
+{
+    const double reach = half + beside;
+    constexpr double kSlant = 3.0; // along the slit for each mm across
+    const double needed = to - from - 2.0 * kSlant * reach;
+    for (const double side : {-reach, reach}) {
+        const PlaneLine along{line.point + side * perpendicular(line.direction), line.direction};
+        double inside = 0.0;
+        for (const Interval &interval : intervalsOn(along, region))
+            inside +=
+                std::max(0.0, std::min(to, interval.to.at) - std::max(from, interval.from.at));
+        if (inside < needed)
+            return false;
+    }
+    return true;
+}
+
+/// Where the ground carries a section, (x, z), once all below it is cut off.
+void addFeet(const SuggestedCut &cut, double ground, double thickness, std::vector<Vec2> &corners)
+{
+    const Vec2 up = cut.frame.directionToLocal(Vec3::UnitY());
+    constexpr double kUpright = 0.2; // sine: what lies flatter has no feet to speak of
+    if (up.norm() < kUpright)
+        return;
+    const PlaneLine line{up / up.squaredNorm() *
+                             (ground + kFootLook * thickness - cut.frame.origin.y()),
+                         -perpendicular(up).normalized()};
+    const Vec3 normal = cut.frame.normal();
+    const Vec2 across = 0.5 * thickness * Vec2(normal.x(), normal.z());
+    for (const Interval &interval : intervalsOn(line, cut.region))
+        for (const double at : {interval.from.at, interval.to.at}) {
+            const Vec3 p = cut.frame.toWorld(line.at(at));
+            corners.emplace_back(p.x() + across.x(), p.z() + across.y());
+            corners.emplace_back(p.x() - across.x(), p.z() - across.y());
+        }
+}
+
+} // namespace
+
+bool SuggestedGroup::liesAlong(const SuggestedCut &cut, const SuggestedCut &other) const
+{
+    const double room = kBetweenPlanes * m_thickness;
+    Box2 box = bounds(other.region.outer);
+    box.min.array() -= room;
+    box.max.array() += room;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec2 &p : cut.region.outer) {
+        const Vec3 world = cut.frame.toWorld(p);
+        if (!box.contains(other.frame.toLocal(world)))
+            continue;
+        low = std::min(low, other.frame.height(world));
+        high = std::max(high, other.frame.height(world));
+    }
+    return low < room && high > -room;
+}
+
+bool SuggestedGroup::crossOne(const SuggestedCut &cut, const Box3 &box, std::size_t member,
+                              Crossings &found) const
+{
+    const SuggestedCut &other = *m_members[member].cut;
+    if (!box.intersects(m_members[member].box))
+        return true;
+    const std::optional<Axis> axis = intersectionAxis(other.frame, cut.frame);
+    if (!axis)
+        return !liesAlong(cut, other);
+    const PlaneLine inOther = lineInFrame(*axis, other.frame);
+    const std::vector<Interval> theirs = intervalsOn(inOther, other.region);
+    const PlaneLine inCut = lineInFrame(*axis, cut.frame);
+    const std::vector<Interval> ours = intervalsOn(inCut, cut.region);
+    const double sine = other.frame.normal().cross(cut.frame.normal()).norm();
+    const double half = 0.5 * m_thickness / sine, beside = kBesideSlit * m_thickness;
+    for (const Interval &a : theirs)
+        for (const Interval &b : ours) {
+            const double from = std::max(a.from.at, b.from.at), to = std::min(a.to.at, b.to.at);
+            if (to <= from)
+                continue;
+            if (to - from < kLeastHold * m_thickness || sine < std::sin(kLeastAngle))
+                return false;
+            found.isWeak = found.isWeak ||
+                           !isFramed(inOther, from, to, other.region, half, beside) ||
+                           !isFramed(inCut, from, to, cut.region, half, beside);
+            found.all.push_back({member, {axis->at(from), axis->at(to)}, axis->direction});
+        }
+    return true;
+}
+
+std::optional<SuggestedGroup::Crossings> SuggestedGroup::crossed(const SuggestedCut &cut) const
+{
+    Crossings crossings;
+    const Box3 box = boxOf(cut, m_thickness);
+    for (std::size_t i = 0; i < m_members.size(); ++i)
+        if (!crossOne(cut, box, i, crossings))
+            return {};
+    const std::vector<Crossed> &found = crossings.all;
+    const double room = kBetweenSlits * m_thickness;
+    const auto areNear = [room](const Frame &frame, const Segment &a, const Segment &b) {
+        return distanceBetweenSegments(frame.toLocal(a.from), frame.toLocal(a.to),
+                                       frame.toLocal(b.from), frame.toLocal(b.to)) < room;
+    };
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Member &member = m_members[found[i].member];
+        for (const Segment &slit : member.slits)
+            if (areNear(member.cut->frame, slit, found[i].segment))
+                return {};
+        for (std::size_t k = 0; k < i; ++k)
+            if (found[i].direction.cross(found[k].direction).norm() > kSameWay ||
+                areNear(cut.frame, found[i].segment, found[k].segment))
+                return {};
+    }
+    return crossings;
+}
+
+SuggestedGroup::Fit SuggestedGroup::fitOf(const SuggestedCut &cut) const
+{
+    const std::optional<Crossings> found = crossed(cut);
+    if (!found)
+        return Fit::InTheWay;
+    if (found->all.empty())
+        return Fit::Loose;
+    return found->isWeak ? Fit::Weak : Fit::Fits;
+}
+
+void SuggestedGroup::add(const SuggestedCut &cut)
+{
+    Member member{&cut, boxOf(cut, m_thickness), {}};
+    for (const Crossed &one : crossed(cut).value_or(Crossings()).all) {
+        m_members[one.member].slits.push_back(one.segment);
+        member.slits.push_back(one.segment);
+    }
+    m_members.push_back(std::move(member));
+}
+
+Stability SuggestedGroup::stability(double ground) const
+{
+    GroundContact contact;
+    double area = 0.0;
+    Vec3 centre = Vec3::Zero();
+    Box3 box;
+    for (const Member &member : m_members) {
+        addFeet(*member.cut, ground, m_thickness, contact.corners);
+        area += member.cut->area;
+        centre += member.cut->area * member.cut->centre;
+        box.extend(member.box);
+    }
+    contact.stretches = static_cast<int>(contact.corners.size() / 4);
+    if (area > 0.0)
+        centre /= area;
+    return fff::stability(contact, centre - ground * Vec3::UnitY(), m_thickness,
+                          box.size().maxCoeff());
+}
+
+Stability SuggestedGroup::stabilityWith(const SuggestedCut &cut, double ground) const
+{
+    SuggestedGroup both(*this);
+    both.m_members.push_back({&cut, boxOf(cut, m_thickness), {}});
+    return both.stability(ground);
+}
+
+} // namespace fff

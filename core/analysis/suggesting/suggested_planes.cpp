@@ -1,0 +1,158 @@
+#include "core/analysis/suggesting/suggested_planes.h"
+
+#include "core/operations/seeded.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+/// Planes across one direction.
+struct PlaneFamily
+{
+    Vec3 normal = Vec3::UnitX();
+    int count = 0;
+    double preference = 1.0;
+};
+
+constexpr double kSymmetryPreference = 1.3, kAxisPreference = 1.08;
+/// Of directions between the axes, seen from above.
+constexpr double kAngleStep = std::numbers::pi / 12.0;
+/// By so much, radians, the seed turns these to either side.
+constexpr double kAngleShift = std::numbers::pi / 40.0;
+/// Directions nearer than this, radians, are one.
+constexpr double kSameFamily = 0.12;
+constexpr int kAcrossAxis = 30, kAcrossForm = 20, kBetween = 14, kAcrossHeight = 16;
+
+Vec3 middleOf(const std::vector<Vec3> &points)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3 &p : points)
+        sum += p;
+    return sum / static_cast<double>(points.size());
+}
+
+/// Columns: the main axes of the points.
+Eigen::Matrix3d formAxes(const std::vector<Vec3> &points, bool isSeenFromAbove)
+{
+    const Vec3 middle = middleOf(points);
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3 &p : points) {
+        Vec3 way = p - middle;
+        if (isSeenFromAbove)
+            way.y() = 0.0;
+        spread += way * way.transpose();
+    }
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+}
+
+class FamilyList
+{
+public:
+    /// Unless there is one across nearly that direction.
+    void add(const Vec3 &normal, int count, double preference)
+    {
+        for (const PlaneFamily &known : m_all)
+            if (known.normal.cross(normal).norm() < std::sin(kSameFamily))
+                return;
+        m_all.push_back({normal, count, preference});
+    }
+    const std::vector<PlaneFamily> &all() const { return m_all; }
+
+private:
+    std::vector<PlaneFamily> m_all;
+};
+
+std::vector<PlaneFamily> planeFamilies(const FormSamples &samples, Seeded &dice)
+{
+    FamilyList families;
+    families.add(Vec3::UnitX(), kAcrossAxis, kAxisPreference);
+    families.add(Vec3::UnitZ(), kAcrossAxis, kAxisPreference);
+    families.add(Vec3::UnitY(), kAcrossHeight, kAxisPreference);
+    const Eigen::Matrix3d above = formAxes(samples.surface(), true);
+    const Eigen::Matrix3d inSpace = formAxes(samples.surface(), false);
+    for (int i = 1; i < 3; ++i) // the first one is upright
+        families.add(above.col(i), kAcrossForm, kAxisPreference);
+    for (int i = 0; i < 3; ++i)
+        families.add(inSpace.col(i), kAcrossHeight, 1.0);
+    for (double angle = kAngleStep; angle < std::numbers::pi - 0.5 * kAngleStep;
+         angle += kAngleStep) {
+        const double turned = angle + kAngleShift * dice.symmetric();
+        families.add({std::cos(turned), 0.0, std::sin(turned)}, kBetween, 1.0);
+    }
+    return families.all();
+}
+
+std::pair<double, double> extentAlong(const Vec3 &normal, const std::vector<Vec3> &positions)
+{
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3 &p : positions) {
+        low = std::min(low, normal.dot(p));
+        high = std::max(high, normal.dot(p));
+    }
+    return {low, high};
+}
+
+} // namespace
+
+bool isSymmetricAbout(const Vec3 &normal, double offset, const FormSamples &samples)
+{
+    // Samples of a surface are no mirror images of each other: where it is symmetric there is one
+    // within their distance, but for few.
+    constexpr double kNear = 1.6, kFew = 0.03;
+    constexpr std::size_t kEach = 5;
+    const double reach = kNear * samples.spacing();
+    const PointBuckets surface(samples.surface(), reach);
+    std::size_t looked = 0, lonely = 0;
+    for (std::size_t i = 0; i < surface.points().size(); i += kEach) {
+        const Vec3 &p = surface.points()[i];
+        const Vec3 image = p - 2.0 * (normal.dot(p) - offset) * normal;
+        bool isThere = false;
+        surface.visitNear(image, [&](std::uint32_t k) {
+            isThere = isThere || (surface.points()[k] - image).squaredNorm() <= reach * reach;
+        });
+        ++looked;
+        lonely += isThere ? 0 : 1;
+    }
+    return looked > 0 && static_cast<double>(lonely) <= kFew * static_cast<double>(looked);
+}
+
+std::vector<SuggestedPlane> planesAcross(const Vec3 &normal, const std::vector<Vec3> &positions,
+                                         double step, double preference)
+{
+    const auto [low, high] = extentAlong(normal, positions);
+    std::vector<SuggestedPlane> planes;
+    for (double at = low + 0.5 * step; at < high; at += step)
+        planes.push_back({normal, at, preference});
+    return planes;
+}
+
+std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
+                                            const FormSamples &samples, std::uint64_t seed)
+{
+    Seeded dice(seed, "planes");
+    const Vec3 middle = middleOf(samples.surface());
+    std::vector<SuggestedPlane> planes;
+    for (const PlaneFamily &family : planeFamilies(samples, dice)) {
+        const auto [low, high] = extentAlong(family.normal, positions);
+        const double step = (high - low) / family.count;
+        const double shift = 0.5 + 0.4 * dice.symmetric();
+        for (int i = 0; i < family.count; ++i)
+            planes.push_back({family.normal, low + (i + shift) * step, family.preference});
+        const double through = family.normal.dot(middle), half = 0.5 * (low + high);
+        for (const double offset : {through, half})
+            if (isSymmetricAbout(family.normal, offset, samples)) {
+                planes.push_back({family.normal, offset, kSymmetryPreference});
+                break;
+            }
+    }
+    return planes;
+}
+
+} // namespace fff

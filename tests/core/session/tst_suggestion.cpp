@@ -1,0 +1,253 @@
+// Suggested sections of a mesh: that they stand, hold and can be assembled, that a seed says all,
+// and what is said where there are fewer than wanted.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/analysis/suggesting/suggestion.h"
+#include "core/model/edits.h"
+#include "core/operations/evaluate.h"
+#include "core/session/message_text.h"
+#include "tests/core/session/suggested_forms.h"
+#include "tests/test_program.h"
+
+#include <stop_token>
+
+using namespace fff;
+using namespace fff::test;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+Suggestion suggested(const Document &document, SuggestionOptions options)
+{
+    return suggestSections(evaluate(document), document.templates.front()->id, options).value();
+}
+
+/// A mesh as it comes, standing on the ground, 254 mm large or as large as said.
+Document documentOf(MeshDraft draft, double size = 254.0)
+{
+    return documentWith({"Thing", std::move(draft)}, size);
+}
+
+} // namespace
+
+class TestSuggestion : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void allIsGood_data();
+    void allIsGood();
+    void theSeedSaysAll();
+    void oneMoreKeepsTheOthers();
+    void aTurnedMeshGivesAsMuch();
+    void theGroundIsFlatUnderABall();
+    void thoseThatAreThereAreJoined();
+    void othersAreLeftAlone();
+    void whatCannotBeCut_data();
+    void whatCannotBeCut();
+    void asManyAsFit();
+    void stopped();
+    void wrongUse();
+};
+
+void TestSuggestion::allIsGood_data()
+{
+    QTest::addColumn<int>("form");
+    const auto forms = madeForms();
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        QTest::newRow(forms[i].name) << int(i);
+}
+
+void TestSuggestion::allIsGood()
+{
+    QFETCH(const int, form);
+    const Document document = documentWith(madeForms()[std::size_t(form)]);
+    double last = 0.0;
+    LongWork work;
+    work.progress = [&last](double share) {
+        QVERIFY(share >= last && share <= 1.0);
+        last = share;
+    };
+    const Suggestion made =
+        suggestSections(evaluate(document), document.templates.front()->id, {.count = 8}, work)
+            .value();
+    QCOMPARE(made.sections.size(), std::size_t(8));
+    QCOMPARE(made.document.sections.size(), std::size_t(8));
+    QCOMPARE(faultsOf(evaluate(made.document)), QStringList());
+    QCOMPARE(made.messages.size(), std::size_t(made.lowered > 0.0));
+    QVERIFY(last > 0.99);
+    // The template went down with the sections, which follow it.
+    QVERIFY(std::abs(document.templates.front()->frame.origin.y() - made.lowered -
+                     made.document.templates.front()->frame.origin.y()) < 1e-9);
+    const double shown = silhouetteShown(*made.document.templates.front(), made.document.sections);
+    QVERIFY2(shown > 0.5, qPrintable(QString::number(shown)));
+}
+
+void TestSuggestion::theSeedSaysAll()
+{
+    const Document document = documentWith(madeForms()[3]);
+    const Suggestion once = suggested(document, {.count = 6, .seed = 7});
+    QVERIFY(suggested(document, {.count = 6, .seed = 7}).document == once.document);
+    QVERIFY(!(suggested(document, {.count = 6, .seed = 8}).document == once.document));
+}
+
+void TestSuggestion::oneMoreKeepsTheOthers()
+{
+    const Document document = documentWith(madeForms()[1]);
+    const Suggestion some = suggested(document, {.count = 6});
+    const Suggestion more = suggested(document, {.count = 7});
+    QCOMPARE(more.sections.size(), some.sections.size() + 1);
+    for (std::size_t i = 0; i < some.sections.size(); ++i)
+        QVERIFY(*some.document.sections[i] == *more.document.sections[i]);
+}
+
+/// What is suggested does not hang on where the mesh is and which way it looks.
+void TestSuggestion::aTurnedMeshGivesAsMuch()
+{
+    const MeshDraft plain = bracket();
+    const MeshDraft turned =
+        mapped(plain, [](const Vec3 &p) { return Vec3(500.0 - p.z(), p.y() + 30.0, p.x()); });
+    double shown[2] = {};
+    for (int i = 0; i < 2; ++i) {
+        const Suggestion made = suggested(documentOf(i == 0 ? plain : turned), {.count = 8});
+        QCOMPARE(faultsOf(evaluate(made.document)), QStringList());
+        shown[i] = silhouetteShown(*made.document.templates.front(), made.document.sections);
+    }
+    QVERIFY2(std::abs(shown[0] - shown[1]) < 0.15,
+             qPrintable(u"%1 and %2"_s.arg(shown[0]).arg(shown[1])));
+}
+
+void TestSuggestion::theGroundIsFlatUnderABall()
+{
+    const Suggestion made = suggested(documentOf(sphere(50.0, 60, 90)), {.count = 4});
+    QCOMPARE(made.sections.size(), std::size_t(4));
+    QVERIFY(made.lowered > 0.5 && made.lowered < 20.0);
+    double lowest = 1.0;
+    for (const SectionPointer &section : made.document.sections)
+        lowest = std::min(lowest, worldBounds(*section->shape, section->frame).min.y());
+    QVERIFY(std::abs(lowest) < 1e-6);
+    QCOMPARE(made.messages.size(), std::size_t(1));
+    QVERIFY(messageText(made.messages[0]).contains(u"lowered"));
+    QCOMPARE(faultsOf(evaluate(made.document)), QStringList());
+}
+
+void TestSuggestion::thoseThatAreThereAreJoined()
+{
+    const Document document = documentWith(madeForms()[1]);
+    const Document some = suggested(document, {.count = 3}).document;
+    const Suggestion more = suggested(some, {.count = 2, .seed = 5});
+    QCOMPARE(more.sections.size(), std::size_t(2));
+    QCOMPARE(more.document.sections.size(), std::size_t(5));
+    for (std::size_t i = 0; i < 3; ++i)
+        QCOMPARE(more.document.sections[i], some.sections[i]);
+    QCOMPARE(more.lowered, 0.0);
+    QCOMPARE(faultsOf(evaluate(more.document)), QStringList());
+    QVERIFY(more.document.sections[3]->name != more.document.sections[0]->name);
+}
+
+/// A model beside the mesh has nothing to do with it.
+void TestSuggestion::othersAreLeftAlone()
+{
+    const Document document = documentWith(madeForms()[4]);
+    Document beside = document;
+    NewSection plate;
+    plate.shape = Shape::make(Contour::ofPolygon({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), {}).value();
+    plate.frame.origin = {2000, 0, 0};
+    beside = addSection(beside, plate).value();
+    const Suggestion alone = suggested(document, {.count = 4});
+    const Suggestion made = suggested(beside, {.count = 4});
+    QCOMPARE(made.document.sections.size(), std::size_t(5));
+    QCOMPARE(made.document.sections[0], beside.sections[0]);
+    for (std::size_t i = 0; i < 4; ++i)
+        QVERIFY(*made.document.sections[i + 1]->shape == *alone.document.sections[i]->shape);
+}
+
+void TestSuggestion::whatCannotBeCut_data()
+{
+    QTest::addColumn<int>("thing");
+    QTest::newRow("a flat sheet that lies") << 0;
+    QTest::newRow("a single triangle") << 1;
+    QTest::newRow("a needle") << 2;
+    QTest::newRow("smaller than the stock is thick") << 3;
+    QTest::newRow("a flat sheet that stands") << 4;
+    QTest::newRow("a ball too small for two slits") << 5;
+}
+
+void TestSuggestion::whatCannotBeCut()
+{
+    QFETCH(const int, thing);
+    MeshDraft draft;
+    double size = 254.0;
+    switch (thing) {
+    case 0:
+    case 4: {
+        const bool lies = thing == 0;
+        for (const Vec2 &p : {Vec2(0, 0), Vec2(9, 0), Vec2(9, 5), Vec2(0, 5)})
+            addPoint(draft, lies ? Vec3(p.x(), 0, p.y()) : Vec3(p.x(), p.y(), 0));
+        addQuad(draft, 0, 1, 2, 3);
+        break;
+    }
+    case 1:
+        draft.positions = {{0, 0, 0}, {4, 1, 0}, {1, 3, 2}};
+        draft.triangles = {{0, 1, 2}};
+        break;
+    case 2:
+        draft = box({0, 0, 0}, {0.01, 30, 0.01});
+        break;
+    case 3:
+        draft = cube(1.0);
+        size = 1.0;
+        break;
+    default:
+        draft = sphere(1.0, 20, 30);
+        size = 9.0;
+    }
+    const Document document = documentOf(draft, size);
+    const Suggestion made = suggested(document, {.count = 8});
+    QVERIFY(made.document.isSame(document));
+    QCOMPARE(made.sections.size(), std::size_t(0));
+    QCOMPARE(made.messages.size(), std::size_t(1));
+    QVERIFY(messageText(made.messages[0]).contains(u"Thing"));
+}
+
+void TestSuggestion::asManyAsFit()
+{
+    const Document document = documentOf(cube(10.0), 60.0);
+    const Suggestion made = suggested(document, {.count = 60});
+    QVERIFY(made.sections.size() >= 4 && made.sections.size() < 60);
+    QCOMPARE(made.messages.size(), std::size_t(1));
+    QVERIFY(
+        messageText(made.messages[0]).contains(u"Only %1 sections"_s.arg(made.sections.size())));
+    // The last ones leave thin walls beside slits; nothing graver.
+    for (const QString &fault : faultsOf(evaluate(made.document)))
+        QVERIFY2(fault.startsWith(u"thinWeb"), qPrintable(fault));
+}
+
+void TestSuggestion::stopped()
+{
+    const Document document = documentWith(madeForms()[0]);
+    for (const double when : {0.0, 0.05, 0.3, 0.6}) {
+        std::stop_source stop;
+        LongWork work{stop.get_token(), [&](double share) {
+                          if (share >= when)
+                              stop.request_stop();
+                      }};
+        const auto made = suggestSections(evaluate(document), document.templates.front()->id,
+                                          {.count = 12}, work);
+        QVERIFY(!made);
+        QVERIFY(made.error().code == ErrorCode::Cancelled);
+    }
+}
+
+void TestSuggestion::wrongUse()
+{
+    const Document document = documentWith(madeForms()[4]);
+    const Model model = evaluate(document);
+    const TemplateId id = document.templates.front()->id;
+    QVERIFY(suggestSections(model, {999}).error().code == ErrorCode::UnknownReference);
+    for (const int count : {0, -3, kMostSuggested + 1})
+        QVERIFY(suggestSections(model, id, {.count = count}).error().place == "count");
+}
+
+FFF_TEST(TestSuggestion)
+#include "tst_suggestion.moc"
