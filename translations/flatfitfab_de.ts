@@ -3097,6 +3097,10 @@
         <source>The loops in which a plane cuts a mesh</source>
         <translation>Die Umrisse, in denen eine Ebene ein Netz schneidet</translation>
     </message>
+    <message>
+        <source>Sections that show a mesh, stand and can be assembled</source>
+        <translation>Scheiben, die ein Netz zeigen, stehen und sich zusammenbauen lassen</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -7126,6 +7130,22 @@
     <message>
         <source>--plane: found &quot;%1&quot;, expected six numbers, of which the last three are a direction.</source>
         <translation>--plane: &quot;%1&quot; gefunden, erwartet sind sechs Zahlen, die letzten drei davon eine Richtung.</translation>
+    </message>
+    <message>
+        <source>--%1: found &quot;%2&quot;, expected a whole number from %3 to %4.</source>
+        <translation>--%1: gefunden: „%2“, erwartet: eine ganze Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>How many sections (8).</source>
+        <translation>Wie viele Scheiben (8).</translation>
+    </message>
+    <message>
+        <source>Another number gives other sections (1).</source>
+        <translation>Eine andere Zahl ergibt andere Scheiben (1).</translation>
+    </message>
+    <message>
+        <source>Scales the mesh to this largest extent first.</source>
+        <translation>Skaliert das Netz zuerst auf diese größte Ausdehnung.</translation>
     </message>
 </context>
 <context>

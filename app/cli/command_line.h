@@ -41,6 +41,7 @@ int runRender(const QStringList &arguments); // only where the window is built
 int runSteps(const QStringList &arguments);  // the same
 int runOperations(const QStringList &arguments);
 int runCut(const QStringList &arguments);
+int runSuggest(const QStringList &arguments);
 int runReplay(const QStringList &arguments);
 
 /// The arguments of one verb: options from `parser`, and exactly `files` file names in front of or
