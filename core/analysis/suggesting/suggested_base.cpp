@@ -13,7 +13,7 @@ namespace {
 constexpr double kGroundShares[] = {0.0,   0.004, 0.009, 0.015, 0.022, 0.031,
                                     0.042, 0.056, 0.075, 0.1,   0.14,  0.2};
 /// What a base has to show more for being cut off at all, and for each share of the height.
-constexpr double kLossOfAny = 0.02, kLossOfGround = 1.2;
+constexpr double kLossOfAny = 0.05, kLossOfGround = 1.2;
 constexpr std::size_t kFirsts = 14, kKept = 8, kAskedEach = 6;
 /// Slits and what is not looked at closely take something of it.
 constexpr double kSpareTilt = 1.04;
@@ -37,8 +37,9 @@ class BaseSearch
 {
 public:
     BaseSearch(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
-               const std::stop_token &stop)
-        : m_cuts(cuts), m_samples(samples), m_thickness(thickness), m_stop(stop)
+               bool allowsWeak, const std::stop_token &stop)
+        : m_cuts(cuts), m_samples(samples), m_thickness(thickness), m_allowsWeak(allowsWeak),
+          m_stop(stop)
     {
         const ShownForm none(samples);
         for (std::size_t i = 0; i < cuts.size(); ++i)
@@ -84,7 +85,9 @@ private:
             shown.add(m_cuts[i].shown);
         }
         for (std::size_t i = 0; i < m_cuts.size(); ++i) {
-            if (group.fitOf(m_cuts[i]) != SuggestedGroup::Fit::Fits)
+            const SuggestedGroup::Fit fit = group.fitOf(m_cuts[i]);
+            if (fit != SuggestedGroup::Fit::Fits &&
+                !(m_allowsWeak && fit == SuggestedGroup::Fit::Weak))
                 continue;
             BaseTry next = from;
             next.cuts.push_back(i);
@@ -100,6 +103,7 @@ private:
     const std::deque<SuggestedCut> &m_cuts;
     const FormSamples &m_samples;
     double m_thickness;
+    bool m_allowsWeak;
     const std::stop_token &m_stop;
     std::vector<BaseTry> m_firsts;
     double m_best = 0.0;
@@ -130,11 +134,11 @@ void BaseSearch::keepBest(std::vector<BaseTry> &tries, std::size_t count)
 
 std::optional<SuggestedBase>
 suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
-              double lowest, double height,
+              double lowest, double height, bool allowsWeak,
               const std::function<bool(const SuggestedBase &)> &accepts,
               const std::stop_token &stop)
 {
-    BaseSearch search(cuts, samples, thickness, stop);
+    BaseSearch search(cuts, samples, thickness, allowsWeak, stop);
     std::vector<BaseTry> found;
     double best = 0.0;
     for (const double share : kGroundShares) {

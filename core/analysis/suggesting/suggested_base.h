@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -23,11 +24,12 @@ inline constexpr std::size_t kMostInBase = 4;
 /// at the ground as little as lets them stand steadily.
 ///
 /// lowest, height  of the template, Y and mm
+/// allowsWeak  cuts that leave thin walls beside slits will do (SuggestedGroup::Fit::Weak)
 /// accepts  is asked about each that is found, the best first; at most a few times a height
 /// Nothing where none is accepted, or it was stopped.
 std::optional<SuggestedBase>
 suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
-              double lowest, double height,
+              double lowest, double height, bool allowsWeak,
               const std::function<bool(const SuggestedBase &)> &accepts,
               const std::stop_token &stop);
 

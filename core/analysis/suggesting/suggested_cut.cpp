@@ -8,6 +8,8 @@
 #include "core/templates/template_cut.h"
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace fff {
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -49,8 +50,10 @@ bool isFramed(const PlaneLine &line, double from, double to, const Region &regio
               double beside)
 {
     const double reach = half + beside;
-    constexpr double kSlant = 3.0; // along the slit for each mm across
-    const double needed = to - from - 2.0 * kSlant * reach;
+    constexpr double kSlant = 3.0;   // along the slit for each mm across
+    constexpr double kAtLeast = 0.6; // of a short one
+    const double length = to - from;
+    const double needed = std::max(kAtLeast * length, length - 2.0 * kSlant * reach);
     for (const double side : {-reach, reach}) {
         const PlaneLine along{line.point + side * perpendicular(line.direction), line.direction};
         double inside = 0.0;

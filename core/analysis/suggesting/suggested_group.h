@@ -5,6 +5,7 @@
 #include "core/analysis/suggesting/suggested_cut.h"
 #include "core/assembly/stability.h"
 
+#include <optional>
 #include <vector>
 
 namespace fff {

@@ -38,8 +38,9 @@ Vec3 middleOf(const std::vector<Vec3> &points)
     return sum / static_cast<double>(points.size());
 }
 
-/// Columns: the main axes of the points.
-Eigen::Matrix3d formAxes(const std::vector<Vec3> &points, bool isSeenFromAbove)
+/// The main axes of the points, as far as these spread along them by other lengths: those of what
+/// is round would follow from rounding alone.
+std::vector<Vec3> formAxes(const std::vector<Vec3> &points, bool isSeenFromAbove)
 {
     const Vec3 middle = middleOf(points);
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -49,7 +50,17 @@ Eigen::Matrix3d formAxes(const std::vector<Vec3> &points, bool isSeenFromAbove)
             way.y() = 0.0;
         spread += way * way.transpose();
     }
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    const Vec3 &along = solver.eigenvalues(); // ascending
+    constexpr double kOther = 1.1;
+    std::vector<Vec3> axes;
+    for (int i = isSeenFromAbove ? 1 : 0; i < 3; ++i) {
+        const bool isAboveLast = i == 0 || along[i] > kOther * along[i - 1];
+        const bool isBelowNext = i == 2 || along[i + 1] > kOther * along[i];
+        if (isAboveLast && isBelowNext)
+            axes.push_back(solver.eigenvectors().col(i));
+    }
+    return axes;
 }
 
 class FamilyList
@@ -75,12 +86,10 @@ std::vector<PlaneFamily> planeFamilies(const FormSamples &samples, Seeded &dice)
     families.add(Vec3::UnitX(), kAcrossAxis, kAxisPreference);
     families.add(Vec3::UnitZ(), kAcrossAxis, kAxisPreference);
     families.add(Vec3::UnitY(), kAcrossHeight, kAxisPreference);
-    const Eigen::Matrix3d above = formAxes(samples.surface(), true);
-    const Eigen::Matrix3d inSpace = formAxes(samples.surface(), false);
-    for (int i = 1; i < 3; ++i) // the first one is upright
-        families.add(above.col(i), kAcrossForm, kAxisPreference);
-    for (int i = 0; i < 3; ++i)
-        families.add(inSpace.col(i), kAcrossHeight, 1.0);
+    for (const Vec3 &axis : formAxes(samples.surface(), true))
+        families.add(axis, kAcrossForm, kAxisPreference);
+    for (const Vec3 &axis : formAxes(samples.surface(), false))
+        families.add(axis, kAcrossHeight, 1.0);
     for (double angle = kAngleStep; angle < std::numbers::pi - 0.5 * kAngleStep;
          angle += kAngleStep) {
         const double turned = angle + kAngleShift * dice.symmetric();

@@ -8,10 +8,13 @@
 #include "core/operations/seeded.h"
 
 #include <algorithm>
-#include <cmath>
+
 #include <deque>
+#include <iterator>
+#include <optional>
 #include <queue>
 #include <set>
+#include <string>
 
 namespace fff {
 
@@ -247,10 +250,11 @@ bool Suggester::begin()
         return true;
     const double low = m_box.min.y();
     const auto accepts = [&](const SuggestedBase &base) {
-        return take(base.cuts, base.ground, false) == SuggestionJudge::Verdict::Taken;
+        return take(base.cuts, base.ground, m_allowsWeak) == SuggestionJudge::Verdict::Taken;
     };
-    const std::optional<SuggestedBase> base = suggestedBase(
-        m_cuts, *m_samples, m_thickness, low, m_box.max.y() - low, accepts, m_work.stop);
+    const std::optional<SuggestedBase> base =
+        suggestedBase(m_cuts, *m_samples, m_thickness, low, m_box.max.y() - low, m_allowsWeak,
+                      accepts, m_work.stop);
     if (base)
         m_ground = base->ground;
     return base.has_value();
@@ -375,7 +379,7 @@ Result<Suggestion> Suggester::suggest()
                                                                 m_options.count));
             continue;
         }
-        m_allowsWeak = hasBegun && round >= kStrongRounds;
+        m_allowsWeak = round >= kStrongRounds;
         if (round == kMostRounds || m_cuts.empty() || m_work.isStopped() ||
             !findCuts(planesOf(round++), {m_work.stop, {}}))
             break;

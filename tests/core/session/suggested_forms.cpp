@@ -99,19 +99,6 @@ bool hasWhiteNear(const QImage &image, int x, int y, double radius)
     return false;
 }
 
-} // namespace
-
-Document documentWith(const MadeForm &form, double size)
-{
-    Template one;
-    one.name = form.name;
-    one.file = std::string(form.name) + ".obj";
-    one.mesh = makeTemplateMesh(mended(form.draft).value().mesh, {}).value();
-    return addTemplate(newDocument(),
-                       stood(one, *one.mesh, form.isUpright ? UpAxis::Y : UpAxis::Z, size))
-        .value();
-}
-
 Model evenGrid(const Document &document, int planes)
 {
     Operation slices;
@@ -125,6 +112,31 @@ Model evenGrid(const Document &document, int planes)
     next.operations.push_back(std::make_shared<const Operation>(slices));
     ++next.nextId;
     return evaluate(next);
+}
+
+} // namespace
+
+Document documentWith(const MadeForm &form, double size)
+{
+    Template one;
+    one.name = form.name;
+    one.file = std::string(form.name) + ".obj";
+    one.mesh = makeTemplateMesh(mended(form.draft).value().mesh, {}).value();
+    return addTemplate(newDocument(),
+                       stood(one, *one.mesh, form.isUpright ? UpAxis::Y : UpAxis::Z, size))
+        .value();
+}
+
+Model evenGridOf(const Document &document, std::size_t sections)
+{
+    Model best = evenGrid(document, 1);
+    const auto off = [sections](const Model &model) {
+        return std::abs(double(model.sectionCount()) - double(sections));
+    };
+    for (int planes = 2; planes <= int(sections) / 2; ++planes)
+        if (Model grid = evenGrid(document, planes); off(grid) <= off(best))
+            best = std::move(grid);
+    return best;
 }
 
 QStringList faultsOf(const Model &model)

@@ -12,8 +12,9 @@ namespace fff::test {
 
 /// Standing on the ground, 254 mm large unless said otherwise.
 Document documentWith(const MadeForm &form, double size = 254.0);
-/// The same with planes across X and Z, so many each.
-Model evenGrid(const Document &document, int planes);
+/// The same in slices across X and Z, as many planes each way: of such even grids the one whose
+/// number of sections is nearest to this.
+Model evenGridOf(const Document &document, std::size_t sections);
 
 /// What is wrong by all checks, a line each; empty where all is good: it can be assembled, every
 /// piece is held, it stands.

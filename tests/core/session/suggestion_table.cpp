@@ -14,23 +14,6 @@
 using namespace fff;
 using namespace fff::test;
 
-namespace {
-
-/// The one whose number of sections is nearest.
-Model gridOfAsMany(const Document &document, std::size_t count)
-{
-    Model best = evenGrid(document, 1);
-    const auto off = [count](const Model &model) {
-        return std::abs(double(model.sectionCount()) - double(count));
-    };
-    for (int planes = 2; planes <= int(count) / 2; ++planes)
-        if (Model grid = evenGrid(document, planes); off(grid) <= off(best))
-            best = std::move(grid);
-    return best;
-}
-
-} // namespace
-
 int main(int argc, char **argv)
 {
     std::vector<int> counts;
@@ -64,7 +47,7 @@ int main(int argc, char **argv)
             }
             const Document &after = made->document;
             const Template &before = *document.templates.front(), &now = *after.templates.front();
-            const Model grid = gridOfAsMany(document, std::size_t(count));
+            const Model grid = evenGridOf(document, std::size_t(count));
             std::printf(
                 "%-10s %4d | %8zu %5.2f %5.1f%% %5.1f%% %5.1f %4d | %3zu %5.1f%% %5.1f%% %4d\n",
                 form.name, count, made->sections.size(), time.count(),
