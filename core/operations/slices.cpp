@@ -5,6 +5,7 @@
 #include "core/geometry/boolean.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/raw_offset.h"
+#include "core/operations/spine_planes.h"
 #include "core/templates/template_cut.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ constexpr int kMostPlanes = 500; // of one direction
 struct SlicePlanes
 {
     char key = 'x';
-    std::vector<Frame> frames;
+    std::vector<Frame> frames = {};
 };
 
 /// Across an axis of the world, upright as it is seen from there.
@@ -76,6 +77,10 @@ private:
     SlicePlanes across(int axis) const;
     SlicePlanes around() const;
     void cut(const SlicePlanes &planes);
+    void cutAlong(const Section &spine);
+    /// The piece of a plane that is this loop without those that are holes in it. False: too small.
+    bool addPiece(char direction, int plane, int piece, const Frame &frame,
+                  const std::vector<TemplateLoop> &loops, std::size_t outer);
     void add(const std::string &key, std::string name, const Frame &frame,
              const TemplateLoop &outer, const std::vector<const TemplateLoop *> &holes);
     void hollow(const Contour &contour, std::vector<Contour> &holes) const;
@@ -162,47 +167,79 @@ void Slicer::add(const std::string &key, std::string name, const Frame &frame,
     ++m_made;
 }
 
+bool Slicer::addPiece(char direction, int plane, int piece, const Frame &frame,
+                      const std::vector<TemplateLoop> &loops, std::size_t outer)
+{
+    std::vector<const TemplateLoop *> holes;
+    double area = std::abs(signedArea(loops[outer].points));
+    for (const TemplateLoop &hole : loops)
+        if (hole.isHole && hole.around == static_cast<int>(outer)) {
+            holes.push_back(&hole);
+            area -= std::abs(signedArea(hole.points));
+        }
+    if (area < m_context.number("smallest")) {
+        ++m_slivers;
+        return false;
+    }
+    std::string key(1, direction);
+    key.append("/").append(std::to_string(plane)).append("/").append(std::to_string(piece));
+    std::string name = m_subject.name + " ";
+    name += static_cast<char>(std::toupper(direction));
+    name += std::to_string(plane + 1);
+    if (piece > 0)
+        name.append(" ").append(std::to_string(piece + 1));
+    add(key, std::move(name), frame, loops[outer], holes);
+    return true;
+}
+
 void Slicer::cut(const SlicePlanes &planes)
 {
-    const double least = m_context.number("smallest");
     for (std::size_t i = 0; i < planes.frames.size(); ++i) {
         const std::vector<TemplateLoop> loops =
             loopsOn(planes.frames[i], m_subject, *m_subject.mesh);
-        std::string name = m_subject.name + " ";
-        name += static_cast<char>(std::toupper(planes.key));
-        name += std::to_string(i + 1);
         int piece = 0;
-        for (std::size_t k = 0; k < loops.size(); ++k) {
-            if (loops[k].isHole)
-                continue;
-            std::vector<const TemplateLoop *> holes;
-            double area = std::abs(signedArea(loops[k].points));
-            for (const TemplateLoop &hole : loops)
-                if (hole.isHole && hole.around == static_cast<int>(k)) {
-                    holes.push_back(&hole);
-                    area -= std::abs(signedArea(hole.points));
-                }
-            if (area < least) {
-                ++m_slivers;
-                continue;
-            }
-            std::string key(1, planes.key);
-            key.append("/").append(std::to_string(i)).append("/").append(std::to_string(piece));
-            add(key, piece == 0 ? name : name + " " + std::to_string(piece + 1), planes.frames[i],
-                loops[k], holes);
-            ++piece;
-        }
+        for (std::size_t k = 0; k < loops.size(); ++k)
+            if (!loops[k].isHole &&
+                addPiece(planes.key, static_cast<int>(i), piece, planes.frames[i], loops, k))
+                ++piece;
+    }
+}
+
+void Slicer::cutAlong(const Section &spine)
+{
+    SpineRequest request;
+    request.from = m_context.number("from");
+    request.to = m_context.number("to");
+    request.isByCount = m_context.choice("planesBy") == "count";
+    request.count = m_context.count("count");
+    request.spacing = m_context.number("spacing");
+    request.shift = m_context.number("shift");
+    request.most = kMostPlanes;
+    const SpinePlanes planes(spine, request);
+    for (const SpinePlane &plane : planes.planes()) {
+        const std::vector<TemplateLoop> loops = loopsOn(plane.frame, m_subject, *m_subject.mesh);
+        if (const std::optional<std::size_t> outer = planes.loopAt(plane, loops))
+            addPiece('c', plane.number, 0, plane.frame, loops, *outer);
     }
 }
 
 void Slicer::slice()
 {
     const std::string direction = m_context.choice("direction");
-    if (direction == "radial")
+    if (direction == "curve") {
+        const SectionPointer spine = m_context.input("spine");
+        if (!spine) {
+            if (countOf(m_context.operation(), *kSlices.input("spine")) == 0)
+                m_context.notice({OperationNotice::Kind::InputMissing, "spine"});
+            return;
+        }
+        cutAlong(*spine);
+    } else if (direction == "radial") {
         cut(around());
-    else
+    } else {
         for (const char axis : direction)
             cut(across(axis - 'x'));
+    }
     if (m_slivers > 0)
         m_context.notice({OperationNotice::Kind::Slivers, {}, {}, m_slivers});
     if (m_failed > 0)
@@ -234,7 +271,8 @@ std::vector<ParameterSpec> parameters()
                      {"xy", QT_TRANSLATE_NOOP("Operation", "across X and Y")},
                      {"xz", QT_TRANSLATE_NOOP("Operation", "across X and Z")},
                      {"yz", QT_TRANSLATE_NOOP("Operation", "across Y and Z")},
-                     {"radial", QT_TRANSLATE_NOOP("Operation", "around")}},
+                     {"radial", QT_TRANSLATE_NOOP("Operation", "around")},
+                     {"curve", QT_TRANSLATE_NOOP("Operation", "along a curve")}},
          .heading = QT_TRANSLATE_NOOP("Operation", "Slices")},
         {.key = "planesBy",
          .label = QT_TRANSLATE_NOOP("Operation", "By"),
@@ -242,7 +280,7 @@ std::vector<ParameterSpec> parameters()
          .choices = {{"count", QT_TRANSLATE_NOOP("Operation", "Count")},
                      {"spacing", QT_TRANSLATE_NOOP("Operation", "Spacing")}},
          .countsIf = "direction",
-         .countsFor = {"x", "y", "z", "xy", "xz", "yz"}},
+         .countsFor = {"x", "y", "z", "xy", "xz", "yz", "curve"}},
         {.key = "count",
          .label = QT_TRANSLATE_NOOP("Operation", "Count"),
          .unit = Unit::Count,
@@ -273,6 +311,28 @@ std::vector<ParameterSpec> parameters()
          .sliderLeast = -0.5,
          .sliderMost = 0.5,
          .tip = QT_TRANSLATE_NOOP("Operation", "Of all planes, as a part of their spacing")},
+        {.key = "from",
+         .label = QT_TRANSLATE_NOOP("Operation", "From"),
+         .unit = Unit::Share,
+         .standard = 0.0,
+         .least = 0.0,
+         .most = 1.0,
+         .step = 0.005,
+         .sliderLeast = 0.0,
+         .sliderMost = 1.0,
+         .countsIf = "direction",
+         .countsFor = {"curve"}},
+        {.key = "to",
+         .label = QT_TRANSLATE_NOOP("Operation", "To"),
+         .unit = Unit::Share,
+         .standard = 1.0,
+         .least = 0.0,
+         .most = 1.0,
+         .step = 0.005,
+         .sliderLeast = 0.0,
+         .sliderMost = 1.0,
+         .countsIf = "direction",
+         .countsFor = {"curve"}},
         {.key = "smallest",
          .label = QT_TRANSLATE_NOOP("Operation", "Smallest piece"),
          .unit = Unit::Number,
@@ -307,7 +367,13 @@ const OperationKind kSlices{
     .version = 1,
     .name = QT_TRANSLATE_NOOP("Operation", "Slices"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Cuts a mesh into sections that follow its form."),
-    .inputs = {},
+    .inputs = {{.role = "spine",
+                .label = QT_TRANSLATE_NOOP("Operation", "Along"),
+                .prompt = QT_TRANSLATE_NOOP("Operation",
+                                            "Click the section whose contour it should run along."),
+                .least = 0,
+                .countsIf = "direction",
+                .countsFor = {"curve"}}},
     .parameters = parameters(),
     .make = make,
     .isOfTemplate = true};

@@ -27,5 +27,6 @@ target_sources(fff_core PRIVATE
     operations/section_lookup.cpp
     operations/slices.cpp
     operations/source_crossing.cpp
+    operations/spine_planes.cpp
     operations/symmetry.cpp
 )
