@@ -34,7 +34,9 @@ constexpr std::array kVerbs = {
          runParts},
     Verb{"export", "FILE -o OUT.{%1} [options]", nullptr, runExport},
 #ifdef FFF_HAS_VIEW
-    Verb{"render", "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [options]",
+    Verb{"render",
+         "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [--template MESH[@SIZE]] "
+         "[options]",
          QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
     Verb{"steps", "FILE -o OUT.{pdf,png} [--paper SIZE] [--size WxH] [--view VIEW] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "How it goes together, step by step; needs a display"),
@@ -48,7 +50,11 @@ constexpr std::array kVerbs = {
     Verb{"suggest", "MESH -o OUT.fff [--count N] [--seed N] [--size MM] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Sections that show a mesh, stand and can be assembled"),
          runSuggest},
-    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{%1} [options]",
+    Verb{"slices",
+         "MESH -o OUT.fff [--along X|Y|Z|XY|XZ|YZ|radial] [--count N | --spacing MM] [--size MM] "
+         "[--stock NAME] [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "A model of a mesh in slices"), runSlices},
+    Verb{"replay", "SCRIPT.json [--from FILE] [--template MESH[@SIZE]] -o OUT.{%1} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Plays a script of what a person does in the window"),
          runReplay, true},
 };

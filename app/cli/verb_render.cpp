@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "app/cli/mesh_options.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
 #include "core/analysis/checks.h"
@@ -179,6 +180,7 @@ int runRender(const QStringList &arguments)
     parser.addOption({QStringLiteral("accurate"),
                       tr("Stress by finite elements, in colours all over the sections; takes "
                          "seconds.")});
+    addTemplateOption(parser);
     addDocumentOptions(parser);
     const Verb &verb = verbNamed("render");
     const Arguments parsed = parse(parser, verb, arguments, 1);
@@ -194,6 +196,8 @@ int runRender(const QStringList &arguments)
     Loaded loaded = load(parsed.files.first(), *options, verb);
     if (loaded.status)
         return *loaded.status;
+    if (const auto wrong = addTemplates(loaded.document, parser, verb))
+        return *wrong;
 
     AnalysisCaches caches;
     const auto shared =

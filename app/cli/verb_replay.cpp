@@ -1,3 +1,4 @@
+#include "app/cli/mesh_options.h"
 #include "app/cli/output.h"
 
 #include "core/interaction/interaction.h"
@@ -14,6 +15,7 @@ int runReplay(const QStringList &arguments)
     };
     parser.addOption({QStringLiteral("from"), tr("The model to start from; without it a new one."),
                       QStringLiteral("FILE")});
+    addTemplateOption(parser);
     addOutputOptions(parser);
     addDocumentOptions(parser);
     const Verb &verb = verbNamed("replay");
@@ -40,6 +42,8 @@ int runReplay(const QStringList &arguments)
     } else if (const auto wrong = applyOptions(document, *options, verb)) {
         return *wrong;
     }
+    if (const auto wrong = addTemplates(document, parser, verb))
+        return *wrong;
     session.reset(std::move(document));
 
     const Result<std::string> script = io::readFile(parsed.files.first());

@@ -4,6 +4,7 @@ fff_tests(tests_app LIBRARIES fff::session TESTS
     app/tst_cli_cut
     app/tst_cli_input
     app/tst_cli_simulate
+    app/tst_cli_slices
     app/tst_cli_suggest
     ALONE app/tst_cli_simulate)
 target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>"

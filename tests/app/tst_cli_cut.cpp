@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "tests/app/cli_run.h"
+#include "tests/app/mesh_files.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 
@@ -31,23 +32,7 @@ private Q_SLOTS:
 private:
     QString put(const char *name, const MeshDraft &draft)
     {
-        const QString path = m_folder.filePath(QLatin1String(name));
-        QFile file(path);
-        if (!file.open(QIODevice::WriteOnly))
-            return {};
-        for (const Vec3 &p : draft.positions)
-            file.write(QStringLiteral("v %1 %2 %3\n")
-                           .arg(p.x(), 0, 'g', 17)
-                           .arg(p.y(), 0, 'g', 17)
-                           .arg(p.z(), 0, 'g', 17)
-                           .toLatin1());
-        for (const Triangle &t : draft.triangles)
-            file.write(QStringLiteral("f %1 %2 %3\n")
-                           .arg(t[0] + 1)
-                           .arg(t[1] + 1)
-                           .arg(t[2] + 1)
-                           .toLatin1());
-        return path;
+        return putMesh(m_folder.filePath(QLatin1String(name)), draft);
     }
 
     QTemporaryDir m_folder;
