@@ -1,6 +1,7 @@
 #include "core/analysis/assembly_plan.h"
 
 #include "core/assembly/crossing.h"
+#include "core/assembly/fingers.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
 
@@ -60,6 +61,15 @@ private:
     std::vector<std::size_t> m_first; // of each joint, by its id
     std::vector<std::pair<int, const Slit *>> m_all;
 };
+
+bool haveFingers(const Analysis &analysis, const Joint &joint)
+{
+    const auto areIn = [&](int section) {
+        return areFingers(
+            slitsOfJoint(analysis.assembly.slits[static_cast<std::size_t>(section)], joint.id));
+    };
+    return joint.kind == JointKind::Tabs && areIn(joint.a) && areIn(joint.b);
+}
 
 /// The unit direction in which b comes off a.
 Vec3 slideOf(const Analysis &analysis, const Joint &joint, const SlitsOfJoints &slits)
@@ -192,11 +202,21 @@ std::vector<Slide> slidesOf(const Analysis &analysis)
                        bodies.firstOf(joint.b) + grip.b == b;
             });
         };
+        const bool hasFingers = haveFingers(analysis, joint);
         forEachPair(bodies, joint, [&](int a, int b) {
             slide.a = a;
             slide.b = b;
             slide.play = !slide.goesBothWays && areHeld(a, b) ? hold.play : Slide().play;
-            slides.push_back(slide);
+            if (!hasFingers) {
+                slides.push_back(slide);
+                return;
+            }
+            // Whatever the angle, each sheet comes off square to itself.
+            for (const int section : {joint.a, joint.b}) {
+                slide.direction =
+                    analysis.model.section(static_cast<std::size_t>(section))->frame.normal();
+                slides.push_back(slide);
+            }
         });
     }
     return slides;

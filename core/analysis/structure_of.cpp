@@ -146,7 +146,7 @@ void addLink(const Analysis &analysis, const Joint &joint, int index, ModelStruc
     const Axis &axis = joint.crossing->axis;
     const LinkSide a = sideOf(analysis, joint, joint.a, index),
                    b = sideOf(analysis, joint, joint.b, index);
-    if (!a.slit && !b.slit)
+    if (!a.slit && !b.slit && joint.kind != JointKind::Tabs) // of tabs: fingers of both
         return;
     const auto grip = gripAt(analysis.grips.of(joint), a, b, overlap, axis);
     if (!grip)

@@ -1,5 +1,7 @@
 #include "core/assembly/joint_grips.h"
 
+#include "core/assembly/finger_grips.h"
+#include "core/assembly/fingers.h"
 #include "core/assembly/intervals.h"
 #include "core/assembly/rings_near.h"
 
@@ -342,6 +344,9 @@ JointGrips GripFinder::find(const Joint &joint, const GripSide &a, const GripSid
     JointGrips grips;
     if (joint.kind == JointKind::None)
         return grips;
+    if (joint.kind == JointKind::Tabs && areFingers(slitsOfJoint(a.slits, joint.id)) &&
+        areFingers(slitsOfJoint(b.slits, joint.id)))
+        return fingerGrips(joint, a, b);
     const std::size_t countA = a.cut.parts().size(), countB = b.cut.parts().size();
     auto &[alongA, alongB, walls, inA, inB] = *m_memory;
     inA.set(countA, countB);

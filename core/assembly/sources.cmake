@@ -10,6 +10,8 @@ target_sources(fff_core PRIVATE
     assembly/cut_section.cpp
     assembly/cycles.cpp
     assembly/encounter.cpp
+    assembly/finger_grips.cpp
+    assembly/fingers.cpp
     assembly/found_joint.cpp
     assembly/grips.cpp
     assembly/intervals.cpp

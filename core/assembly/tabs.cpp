@@ -1,5 +1,6 @@
 #include "core/assembly/tabs.h"
 
+#include "core/assembly/fingers.h"
 #include "core/assembly/lobes.h"
 #include "core/base/tolerances.h"
 
@@ -268,6 +269,8 @@ tl::expected<TabJoint, NoTabs> cutTabs(const JointSide &a, const JointSide &b)
     Ending ofB(plateB, plateA, 0.5 * *stripInB, *slotInA);
     const std::optional<NoTabs> whyNotA = ofA.find(), whyNotB = ofB.find();
     if (whyNotA && whyNotB) {
+        if (auto fingers = cutFingers(a, b))
+            return *std::move(fingers);
         const bool hasNoRoom = *whyNotA == NoTabs::NoRoom || *whyNotB == NoTabs::NoRoom;
         return tl::unexpected(hasNoRoom ? NoTabs::NoRoom : NoTabs::EndsNowhere);
     }

@@ -1,4 +1,5 @@
-// Where a section ends on the other's face: tabs of it reach through slots in the other.
+// Where a section ends on the other's face: tabs of it reach through slots in the other. Where both
+// end at a corner: fingers (fingers.h).
 #pragma once
 
 #include "core/assembly/slits.h"
@@ -26,7 +27,7 @@ struct TabJoint
 {
     Crossing crossing; // its overlaps: where the one ends on the other
     JointSlits slits;  // of kind Tabs: slots in the one; tabs, and a shoulder for each overlap, in
-                       // the other
+                       // the other, or in both
 };
 
 /// Seen in the plane of the section that ends, the other's slab is a strip along the axis. The
@@ -39,6 +40,7 @@ struct TabJoint
 /// must come from one side.
 ///
 /// Of two that could, the one with more tabs, measured along the axis, has them; of equal ones b.
+/// Where neither could, and both end at a corner, both have fingers: there are no slots then.
 tl::expected<TabJoint, NoTabs> cutTabs(const JointSide &a, const JointSide &b);
 
 } // namespace fff

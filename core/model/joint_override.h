@@ -14,7 +14,8 @@ enum class JointKind {
     ExtendedCrossLap, // one section reaches beyond the other: its slit runs from its contour to the
                       // meeting point
     Mortise,          // one closed slit, the other section passes through uncut
-    Tabs,             // one section ends on the other's face, with tabs that reach through slots
+    Tabs,             // one section ends on the other's face, with tabs that reach through slots;
+                      // or both end at a corner, with fingers between each other
     None,             // they meet but no slit lets them slide together: they collide
 };
 

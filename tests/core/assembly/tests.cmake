@@ -2,6 +2,7 @@ fff_tests(tests_assembly LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/assembly/tst_assembly
     core/assembly/tst_body
     core/assembly/tst_cut_section
+    core/assembly/tst_fingers
     core/assembly/tst_intervals
     core/assembly/tst_joint_override
     core/assembly/tst_joint_state

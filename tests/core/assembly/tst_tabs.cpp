@@ -218,8 +218,10 @@ void TestTabs::someCannotHaveTabs_data()
         << JointObstacle::EndsNowhere;
     QTest::newRow("too short") << with(rectangle(-1, -2, 60, 2), lying(50))
                                << JointObstacle::NoRoom;
-    QTest::newRow("at the wall's upper edge")
-        << with(rectangle(-1, -30, 60, 30), lying(98.5)) << JointObstacle::NoRoom;
+    QTest::newRow("just below the wall's upper edge")
+        << with(rectangle(-1, -30, 60, 30), lying(97.5)) << JointObstacle::NoRoom;
+    QTest::newRow("both at a corner, too short for fingers")
+        << with(rectangle(-1, -4, 60, 4), lying(98.5)) << JointObstacle::NoRoom;
     const double lean = 65 * std::numbers::pi / 180;
     QTest::newRow("nearly along the wall")
         << with(rectangle(-1, -30, 60, 30),
