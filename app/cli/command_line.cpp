@@ -54,6 +54,9 @@ constexpr std::array kVerbs = {
          "MESH -o OUT.fff [--along X|Y|Z|XY|XZ|YZ|radial] [--count N | --spacing MM] [--size MM] "
          "[--stock NAME] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A model of a mesh in slices"), runSlices},
+    Verb{"facets", "MESH -o OUT.fff [--faces N] [--size MM] [--stock NAME] [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "A model of flat sheets with fingers along their edges"),
+         runFacets},
     Verb{"replay", "SCRIPT.json [--from FILE] [--template MESH[@SIZE]] -o OUT.{%1} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Plays a script of what a person does in the window"),
          runReplay, true},

@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     operations/copying.cpp
     operations/evaluate.cpp
     operations/excerpt.cpp
+    operations/facet_model.cpp
     operations/grid.cpp
     operations/grid_cells.cpp
     operations/images.cpp

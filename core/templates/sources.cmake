@@ -8,11 +8,13 @@ target_sources(fff_core PRIVATE
     templates/magnetic_cut.cpp
     templates/mended_mesh.cpp
     templates/mesh_edges.cpp
+    templates/mesh_facets.cpp
     templates/mesh_report.cpp
     templates/mesh_surface.cpp
     templates/mesh_tree.cpp
     templates/placed_mesh.cpp
     templates/plane_cut.cpp
+    templates/simplified_mesh.cpp
     templates/template_cut.cpp
     templates/template_mesh.cpp
     templates/thinned_mesh.cpp

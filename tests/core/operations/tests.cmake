@@ -6,6 +6,7 @@ fff_tests(tests_operations LIBRARIES fff::io TESTS
     core/operations/tst_evaluate
     core/operations/tst_excerpt
     core/operations/tst_global_symmetry
+    core/operations/tst_facet_model
     core/operations/tst_grid
     core/operations/tst_linear
     core/operations/tst_moving_model
