@@ -3101,6 +3101,14 @@
         <source>Sections that show a mesh, stand and can be assembled</source>
         <translation>Scheiben, die ein Netz zeigen, stehen und sich zusammenbauen lassen</translation>
     </message>
+    <message>
+        <source>A model of a mesh in slices</source>
+        <translation>Ein Modell aus Schnitten eines Netzes</translation>
+    </message>
+    <message>
+        <source>A model of flat sheets with fingers along their edges</source>
+        <translation>Ein Modell aus flachen Platten mit Fingerzinken an den Kanten</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -4106,6 +4114,14 @@
     <message>
         <source>a mesh with at least one triangle</source>
         <translation>ein Netz mit mindestens einem Dreieck</translation>
+    </message>
+    <message>
+        <source>an edge with three faces or more</source>
+        <translation>eine Kante mit drei oder mehr Flächen</translation>
+    </message>
+    <message>
+        <source>a mesh of which two faces meet at an edge</source>
+        <translation>ein Netz, in dem sich an einer Kante zwei Flächen treffen</translation>
     </message>
 </context>
 <context>
@@ -5718,6 +5734,14 @@
         <source>Cuts a mesh into sections that follow its form.</source>
         <translation>Schneidet ein Netz in Scheiben, die seiner Form folgen.</translation>
     </message>
+    <message>
+        <source>along a curve</source>
+        <translation>entlang einer Kurve</translation>
+    </message>
+    <message>
+        <source>Click the section whose contour it should run along.</source>
+        <translation>Die Scheibe anklicken, an deren Kontur entlang es laufen soll.</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>
@@ -7146,6 +7170,87 @@
     <message>
         <source>Scales the mesh to this largest extent first.</source>
         <translation>Skaliert das Netz zuerst auf diese größte Ausdehnung.</translation>
+    </message>
+    <message>
+        <source>Puts a mesh beside the model, its largest extent of this size in mm; may be given several times.</source>
+        <translation>Stellt ein Netz neben das Modell, auf Wunsch mit dieser größten Ausdehnung in mm; mehrmals möglich.</translation>
+    </message>
+    <message>
+        <source>--template: found &quot;%1&quot;, expected a mesh, or a mesh and its size in mm, such as ball.stl@80.</source>
+        <translation>--template: gefunden: „%1“, erwartet: ein Netz oder ein Netz und seine Größe in mm, etwa ball.stl@80.</translation>
+    </message>
+    <message>
+        <source>The .fff file to write; - is standard output.</source>
+        <translation>Die .fff-Datei, die geschrieben wird; - ist die Standardausgabe.</translation>
+    </message>
+    <message>
+        <source>Scales the mesh to this largest extent; without it as large as its file says, else 254.</source>
+        <translation>Skaliert das Netz auf diese größte Ausdehnung; ohne sie so groß, wie seine Datei sagt, sonst 254.</translation>
+    </message>
+    <message>
+        <source>No fingers where sheets meet at less than 30° or more than 150°: %1</source>
+        <translation>Keine Fingerzinken, wo Platten in weniger als 30° oder mehr als 150° aufeinandertreffen: %1</translation>
+    </message>
+    <message>
+        <source>No fingers where one sheet goes past the other or does not reach it: %1</source>
+        <translation>Keine Fingerzinken, wo eine Platte an der anderen vorbeigeht oder sie nicht erreicht: %1</translation>
+    </message>
+    <message>
+        <source>No fingers on edges that are too short for three of them: %1</source>
+        <translation>Keine Fingerzinken an Kanten, die für drei davon zu kurz sind: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <extracomment>%1 and %2 are names of sections that share an edge</extracomment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1: it has %2 flat pieces, expected at most %3; --faces makes them fewer.</source>
+        <translation>%1: hat %2 flache Stücke, erwartet: höchstens %3; mit --faces werden es weniger.</translation>
+    </message>
+    <message>
+        <source>%1: no flat piece of it is large enough for a section; --size makes it larger.</source>
+        <translation>%1: kein flaches Stück davon ist groß genug für eine Scheibe; mit --size wird es größer.</translation>
+    </message>
+    <message>
+        <source>Simplifies the mesh to this many triangles first; those that are flat together are one piece.</source>
+        <translation>Vereinfacht das Netz zuerst auf so viele Dreiecke; die in einer Ebene liegen, sind ein Stück.</translation>
+    </message>
+    <message>
+        <source>Pieces too small for a section: %1</source>
+        <translation>Zu kleine Stücke für eine Scheibe: %1</translation>
+    </message>
+    <message>
+        <source>Sections: %1, joints: %2</source>
+        <translation>Scheiben: %1, Verbindungen: %2</translation>
+    </message>
+    <message>
+        <source>--along: found &quot;%1&quot;, expected X, Y, Z, XY, XZ, YZ or radial.</source>
+        <translation>--along: gefunden: „%1“, erwartet: X, Y, Z, XY, XZ, YZ oder radial.</translation>
+    </message>
+    <message>
+        <source>--count and --spacing were both given; expected one of them.</source>
+        <translation>--count und --spacing wurden beide angegeben; erwartet: eines davon.</translation>
+    </message>
+    <message>
+        <source>--spacing: planes around an axis have none; expected --count.</source>
+        <translation>--spacing: Ebenen um eine Achse haben keinen Abstand; erwartet: --count.</translation>
+    </message>
+    <message>
+        <source>The axes that planes are across: X, Y, Z, two of them for a grid, or radial: around the upright axis (XZ).</source>
+        <translation>Die Achsen, zu denen Ebenen quer liegen: X, Y, Z, zwei davon für ein Raster, oder radial: um die senkrechte Achse (XZ).</translation>
+    </message>
+    <message>
+        <source>Planes in each direction (6).</source>
+        <translation>Ebenen in jeder Richtung (6).</translation>
+    </message>
+    <message>
+        <source>From plane to plane.</source>
+        <translation>Von Ebene zu Ebene.</translation>
+    </message>
+    <message>
+        <source>%1: no plane cuts a section of it that is large enough.</source>
+        <translation>%1: keine Ebene schneidet davon eine Scheibe, die groß genug ist.</translation>
     </message>
 </context>
 <context>
