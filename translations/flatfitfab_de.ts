@@ -7168,10 +7168,6 @@
         <translation>Eine andere Zahl ergibt andere Scheiben (1).</translation>
     </message>
     <message>
-        <source>Scales the mesh to this largest extent first.</source>
-        <translation>Skaliert das Netz zuerst auf diese größte Ausdehnung.</translation>
-    </message>
-    <message>
         <source>Puts a mesh beside the model, its largest extent of this size in mm; may be given several times.</source>
         <translation>Stellt ein Netz neben das Modell, auf Wunsch mit dieser größten Ausdehnung in mm; mehrmals möglich.</translation>
     </message>
