@@ -49,7 +49,8 @@ void TestCliFormats::whatHelpSays()
     QCOMPARE(cli::purposeOf(verb), QStringLiteral("Cutting files, true to size; the solids in "
                                                   "place; or the model itself"));
     QCOMPARE(cli::usageOf(cli::verbNamed("replay")),
-             QStringLiteral("replay SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]"));
+             QStringLiteral("replay SCRIPT.json [--from FILE] [--template MESH[@SIZE]] -o "
+                            "OUT.{fff,svg,obj} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
     const VerbRun help = run({u"export"_s, u"--help"_s});
     QVERIFY(help.out.contains("svg, obj or fff; needed if the file's name does not tell."));
