@@ -1263,7 +1263,7 @@
     </message>
     <message>
         <source>&amp;Export cutting files…</source>
-        <translation>Schneiddateien &amp;exportieren …</translation>
+        <translation>Schneiddateien e&amp;xportieren …</translation>
     </message>
     <message>
         <source>Export…</source>
