@@ -124,8 +124,8 @@ bool NotchFinder::Data::find(const Notch &notch, const GridRing &snapped, std::s
         const int sideOfA = sideOf(from, to, a), sideOfB = sideOf(from, to, b);
         // A corner on a side leaves a point to hang by, or nothing: rounding would tell.
         const Vec2 &corner = notch.corners[s], &other = notch.corners[next(s, snapped.size())];
-        if (distanceToSegment(start, corner, other) <= kClipSlack ||
-            distanceToSegment(corner, start, end) <= kClipSlack)
+        if (isNearSegment(start, corner, other, kClipSlack) ||
+            isNearSegment(corner, start, end, kClipSlack))
             return false;
         if (sideOfA * sideOfB > 0)
             continue;

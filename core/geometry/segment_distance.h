@@ -21,4 +21,12 @@ inline double distanceToSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
     return (nearestOfSegment(p, a, b) - p).norm();
 }
 
+/// distanceToSegment() <= reach; of what is beside the segment most is told without a root.
+inline bool isNearSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b, double reach)
+{
+    const double away = cross(b - a, p - a);
+    return !(away * away > reach * reach * (b - a).squaredNorm()) &&
+           distanceToSegment(p, a, b) <= reach;
+}
+
 } // namespace fff
