@@ -44,8 +44,6 @@ void addFaces(SlabMesh &mesh, const Triangulation &triangulation)
 {
     const auto upper = static_cast<std::uint32_t>(mesh.vertices.size());
     const auto count = static_cast<std::uint32_t>(triangulation.points.size());
-    mesh.vertices.reserve(upper + 2 * triangulation.points.size());
-    mesh.triangles.reserve(mesh.triangles.size() + 6 * triangulation.triangles.size());
     for (const int side : {1, -1})
         for (const Vec2 &p : triangulation.points)
             mesh.vertices.push_back({at(p, side), faceNormal(side, false)});
@@ -250,10 +248,6 @@ void Walls::add(const Polygon &ring)
     if (n < 3)
         return;
 
-    m_mesh.vertices.reserve(m_mesh.vertices.size() + 4 * n + 8 * m_coverCount);
-    m_mesh.triangles.reserve(m_mesh.triangles.size() + 6 * n + 12 * m_coverCount);
-    m_mesh.edges.reserve(m_mesh.edges.size() + 3 * n);
-
     std::vector<Vec2> normals(n); // of the edge from point i to the next
     for (std::size_t i = 0; i < n; ++i)
         normals[i] = -perpendicular(points[i + 1 < n ? i + 1 : 0] - points[i]).normalized();
@@ -262,13 +256,18 @@ void Walls::add(const Polygon &ring)
     for (std::size_t i = 0; i < n; ++i)
         corner[i] = normals[i > 0 ? i - 1 : n - 1].dot(normals[i]) < std::cos(kCornerAngle);
 
+    // Of two walls where the ring is smooth.
+    const auto between = [&](std::size_t i) {
+        return Vec2((normals[i > 0 ? i - 1 : n - 1] + normals[i]).normalized());
+    };
+    Vec2 fromBetween = corner[0] ? Vec2(Vec2::Zero()) : between(0);
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t next = i + 1 < n ? i + 1 : 0;
-        const Vec2 &from = points[i], &to = points[next];
-        const Vec2 &own = normals[i], &before = normals[i > 0 ? i - 1 : n - 1];
-        const Vec2 &after = normals[next];
-        const Vec2 fromNormal = corner[i] ? own : Vec2((own + before).normalized());
-        const Vec2 toNormal = corner[next] ? own : Vec2((own + after).normalized());
+        const Vec2 &from = points[i], &to = points[next], &own = normals[i];
+        const Vec2 toBetween = corner[next] ? Vec2(Vec2::Zero()) : between(next);
+        const Vec2 fromNormal = corner[i] ? own : fromBetween;
+        const Vec2 toNormal = corner[next] ? own : toBetween;
+        fromBetween = toBetween;
 
         // The very ends where it can be: neighbouring walls share them to the last digit.
         const auto quad = [&](double begin, double end) {
@@ -330,15 +329,35 @@ void Walls::addEdges(const Polygon &points, const std::vector<Vec2> &normals,
     }
 }
 
+/// For all of it at once: there are thousands of slabs.
+void reserveFor(std::span<const Region> regions, std::span<const Triangulation> triangulations,
+                std::size_t covers, SlabMesh &mesh)
+{
+    std::size_t walls = 0, points = 0, triangles = 0;
+    for (const Region &region : regions) {
+        walls += region.outer.size();
+        for (const Polygon &hole : region.holes)
+            walls += hole.size();
+    }
+    for (const Triangulation &triangulation : triangulations) {
+        points += triangulation.points.size();
+        triangles += triangulation.triangles.size();
+    }
+    // A cover may divide two walls.
+    mesh.vertices.reserve(2 * points + 4 * walls + 8 * covers);
+    mesh.triangles.reserve(kQuadIndices * (triangles + walls + 2 * covers));
+    mesh.edges.reserve(3 * walls);
+}
+
 } // namespace
 
 SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulation> triangulations,
                    std::span<const SlitCover> covers)
 {
     SlabMesh mesh;
-    for (const Triangulation &triangulation : triangulations) {
+    reserveFor(regions, triangulations, covers.size(), mesh);
+    for (const Triangulation &triangulation : triangulations)
         addFaces(mesh, triangulation);
-    }
     Walls walls(mesh, covers);
     for (const Region &region : regions) {
         walls.add(region.outer);
