@@ -1,6 +1,6 @@
 #include "core/assembly/fingers.h"
 
-#include "core/assembly/lobes.h"
+#include "core/assembly/edge_room.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -10,8 +10,6 @@ namespace fff {
 
 namespace {
 
-/// As in tabs.cpp: beyond where it must, so that no skin of rounding stays.
-constexpr double kFingerOvershoot = 0.05; // mm
 /// In thicknesses of the thicker one: how wide a finger is by itself, and at least.
 constexpr double kShareOfFinger = 3.0, kLeastFinger = 1.0;
 constexpr int kFewestFingers = 3; // of fewer none is held from both sides
@@ -27,18 +25,9 @@ struct CornerSide
     FingerCut cuts = {};
 
     /// Where fingers begin, mm from the axis: there is material all along.
-    double root() const { return cuts.back + kEdgeReach + kFingerOvershoot; }
-    PlaneLine at(double across) const
-    {
-        return {line.point + side * across * perpendicular(line.direction), line.direction};
-    }
-    std::vector<Stretch> inside(double across) const
-    {
-        std::vector<Stretch> stretches;
-        for (const Interval &interval : intervalsOn(at(across), shape))
-            stretches.push_back({interval.from.at, interval.to.at});
-        return stretches;
-    }
+    double root() const { return cuts.back + kEdgeReach + kOvershoot; }
+    PlaneLine at(double across) const { return shifted(line, side * across); }
+    std::vector<Stretch> inside(double across) const { return stretchesIn(at(across), shape); }
 };
 
 /// On which side of the axis there is material that far from it; 0: on both, or on none.
@@ -69,16 +58,6 @@ std::vector<Stretch> roomOf(const CornerSide &plate)
             room.push_back({low, high});
     }
     return room;
-}
-
-std::vector<Stretch> sharedRoom(const std::vector<Stretch> &a, const std::vector<Stretch> &b)
-{
-    std::vector<Stretch> both;
-    for (const Stretch &p : a)
-        for (const Stretch &q : b)
-            if (std::min(p.to, q.to) - std::max(p.from, q.from) >= kMinOverlap)
-                both.push_back({std::max(p.from, q.from), std::min(p.to, q.to)});
-    return both;
 }
 
 int fingersOn(const Stretch &room, double thickness)
@@ -115,17 +94,17 @@ Slit shoulderOf(const CornerSide &plate, const Stretch &edge, int overlap)
     return slit;
 }
 
-/// They take turns; a begins.
+/// They take turns; a begins. Of the play that a finger has, each of the two gives half.
 void addFingers(const CornerSide &a, const CornerSide &b, const Stretch &room, int count,
                 double play, int overlap, JointSlits &slits)
 {
     const double share = (room.to - room.from) / count;
     for (int k = 0; k < count; ++k) {
-        const double from = room.from + k * share + 0.5 * play;
+        const double from = room.from + k * share + 0.25 * play;
         (k % 2 == 0 ? slits.a : slits.b)
-            .push_back(fingerOf(k % 2 == 0 ? a : b, from, from + share - play, overlap));
+            .push_back(fingerOf(k % 2 == 0 ? a : b, from, from + share - 0.5 * play, overlap));
     }
-    for (const Stretch &edge : sharedRoom(a.inside(a.root()), b.inside(b.root()))) {
+    for (const Stretch &edge : common(a.inside(a.root()), b.inside(b.root()))) {
         if (edge.to <= room.from || edge.from >= room.to)
             continue;
         slits.a.push_back(shoulderOf(a, edge, overlap));
@@ -156,7 +135,7 @@ tl::expected<TabJoint, NoTabs> cutFingers(const JointSide &a, const JointSide &b
     const std::optional<Axis> axis = intersectionAxis(a.section.frame, b.section.frame);
     const Vec3 na = a.section.frame.normal(), nb = b.section.frame.normal();
     const double angle = std::atan2(na.cross(nb).norm(), std::abs(na.dot(nb)));
-    if (!axis || angle < kMinTabAngle)
+    if (!axis || angle < kMinTabAngle - kTabAngleRounding)
         return tl::unexpected(NoTabs::TooOblique);
     CornerSide one{*a.section.shape, lineInFrame(*axis, a.section.frame), 0.5 * a.stock.thickness};
     CornerSide other{*b.section.shape, lineInFrame(*axis, b.section.frame),
@@ -178,7 +157,7 @@ tl::expected<TabJoint, NoTabs> cutFingers(const JointSide &a, const JointSide &b
     one.cuts = fingerCut(one.half, other.half, cosine);
     other.cuts = fingerCut(other.half, one.half, cosine);
 
-    const std::vector<Stretch> rooms = sharedRoom(roomOf(one), roomOf(other));
+    const std::vector<Stretch> rooms = common(roomOf(one), roomOf(other));
     if (rooms.empty())
         return tl::unexpected(NoTabs::EndsNowhere);
     TabJoint joint;

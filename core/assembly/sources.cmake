@@ -9,6 +9,7 @@ target_sources(fff_core PRIVATE
     assembly/cut_change.cpp
     assembly/cut_section.cpp
     assembly/cycles.cpp
+    assembly/edge_room.cpp
     assembly/encounter.cpp
     assembly/finger_grips.cpp
     assembly/fingers.cpp

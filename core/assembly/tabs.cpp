@@ -1,7 +1,7 @@
 #include "core/assembly/tabs.h"
 
+#include "core/assembly/edge_room.h"
 #include "core/assembly/fingers.h"
-#include "core/assembly/lobes.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -11,36 +11,10 @@ namespace fff {
 
 namespace {
 
-/// What is cut and added reaches this far beyond where it must, so that no skin of rounding stays.
-constexpr double kOvershoot = 0.05; // mm
 /// In thicknesses of the section that has the tabs.
 constexpr double kShareOfTab = 8.0, kLeastTab = 1.0;
 /// What stays round a slot, in thicknesses of the section that has it.
 constexpr double kRoundSlot = 0.5;
-
-PlaneLine shifted(const PlaneLine &line, double across)
-{
-    return {line.point + across * perpendicular(line.direction), line.direction};
-}
-
-std::vector<Stretch> inside(const PlaneLine &line, const Shape &shape)
-{
-    std::vector<Stretch> stretches;
-    for (const Interval &interval : intervalsOn(line, shape))
-        stretches.push_back({interval.from.at, interval.to.at});
-    return stretches;
-}
-
-/// What two lists, each ascending and without overlaps, share.
-std::vector<Stretch> common(const std::vector<Stretch> &a, const std::vector<Stretch> &b)
-{
-    std::vector<Stretch> both;
-    for (const Stretch &p : a)
-        for (const Stretch &q : b)
-            if (std::min(p.to, q.to) - std::max(p.from, q.from) >= kMinOverlap)
-                both.push_back({std::max(p.from, q.from), std::min(p.to, q.to)});
-    return both;
-}
 
 /// One list ascending and without overlaps.
 std::vector<Stretch> merged(std::vector<Stretch> all)
@@ -142,7 +116,7 @@ private:
     std::vector<Stretch> beyond(int side) const
     {
         const PlaneLine line = shifted(m_guest.line, side * (m_half + kEdgeReach));
-        return common(inside(line, m_guest.shape), m_reached);
+        return common(stretchesIn(line, m_guest.shape), m_reached);
     }
     void placeTabs();
     Slit shoulder(const Stretch &span) const;
@@ -159,9 +133,9 @@ void Ending::placeTabs()
 {
     const double margin = kRoundSlot * m_host.stock.thickness;
     const double around = 0.5 * m_slot + margin;
-    std::vector<Stretch> solid = inside(m_host.line, m_host.shape);
+    std::vector<Stretch> solid = stretchesIn(m_host.line, m_host.shape);
     for (const int side : {-1, 1})
-        solid = common(solid, inside(shifted(m_host.line, side * around), m_host.shape));
+        solid = common(solid, stretchesIn(shifted(m_host.line, side * around), m_host.shape));
     for (Stretch &stretch : solid)
         stretch = {stretch.from + margin, stretch.to - margin};
     const double thickness = m_guest.stock.thickness;
@@ -255,7 +229,7 @@ tl::expected<TabJoint, NoTabs> cutTabs(const JointSide &a, const JointSide &b)
     const std::optional<Axis> axis = intersectionAxis(a.section.frame, b.section.frame);
     const Vec3 na = a.section.frame.normal(), nb = b.section.frame.normal();
     const double angle = std::atan2(na.cross(nb).norm(), std::abs(na.dot(nb)));
-    if (!axis || angle < kMinTabAngle)
+    if (!axis || angle < kMinTabAngle - kTabAngleRounding)
         return tl::unexpected(NoTabs::TooOblique);
     const double ta = a.stock.thickness, tb = b.stock.thickness;
     const auto slotInA = slitWidth(ta, tb, angle, a.stock.clearance);

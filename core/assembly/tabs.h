@@ -14,6 +14,8 @@ inline constexpr double kEdgeReach = 0.5;
 /// Planes that meet at less than this take no tabs: what is cut square would stand out too far
 /// (30°).
 inline constexpr double kMinTabAngle = 0.52359877559829887;
+/// By so much less is rounding: a twelve-sided prism is as sharp as it may be (0.01°).
+inline constexpr double kTabAngleRounding = 1.7e-4;
 
 /// Why two sections cannot be joined by tabs.
 enum class NoTabs {

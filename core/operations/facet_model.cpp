@@ -108,7 +108,7 @@ double FacetModeller::widthAt(double cosine, double height) const
     double width = isOuter ? 2.0 * plane : 0.0;
     // Where it has fingers it makes room for those of the other at once, so that others that start
     // at the same corner keep off it.
-    if (std::abs(height) >= std::sin(kMinTabAngle))
+    if (std::abs(height) >= std::sin(kMinTabAngle - kTabAngleRounding))
         width += fingerCut(0.5 * thickness, 0.5 * thickness, cosine).back - plane;
     return width;
 }
