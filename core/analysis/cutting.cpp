@@ -34,17 +34,17 @@ Result<std::optional<DrawnSlit>> narrowestDrawn(const Analysis &analysis, bool c
     std::optional<DrawnSlit> least;
     for (std::size_t i = 0; i < analysis.assembly.slits.size(); ++i) {
         const double kerf = compensatesKerf ? analysis.model.stockOf(i).kerf : 0.0;
-        for (const Slit &slit : analysis.assembly.slits[i]) {
-            if (slit.role != SlitRole::Slit)
-                continue;
-            const double width = narrowest(slit);
-            if (isClosedBy(kerf, width))
-                return failure(
-                    ErrorCode::ClosedSlit, {},
-                    {analysis.model.section(i)->name, millimetres(width), millimetres(kerf)});
+        std::optional<double> closed; // width
+        visitOpenings(analysis.assembly.slits[i], [&](double width, const Vec2 &) {
+            if (!closed && isClosedBy(kerf, width))
+                closed = width;
             if (!least || width - kerf < least->width)
                 least = DrawnSlit{width - kerf, kerf};
-        }
+        });
+        if (closed)
+            return failure(
+                ErrorCode::ClosedSlit, {},
+                {analysis.model.section(i)->name, millimetres(*closed), millimetres(kerf)});
     }
     return least;
 }

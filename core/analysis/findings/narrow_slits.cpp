@@ -60,16 +60,13 @@ Finding below(double least, double tool, bool isClosed, const Analysis &analysis
         if (model.section(i)->stock != stock.id)
             continue;
         bool isNarrow = false;
-        for (const Slit &slit : analysis.assembly.slits[i]) {
-            if (slit.role != SlitRole::Slit)
-                continue;
-            const double width = narrowest(slit);
+        visitOpenings(analysis.assembly.slits[i], [&](double width, const Vec2 &at) {
             isNarrow = isNarrow || width < least;
             if (width >= narrow.width)
-                continue;
+                return;
             narrow.width = width;
-            finding.at = model.section(i)->frame.toWorld(slit.inner);
-        }
+            finding.at = model.section(i)->frame.toWorld(at);
+        });
         if (isNarrow)
             finding.sections.push_back(model.ref(i));
     }

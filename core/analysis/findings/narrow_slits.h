@@ -10,6 +10,24 @@ namespace fff {
 /// How wide a slit is at its narrowest, mm: between its bumps, or a short closed one along itself.
 double narrowest(const Slit &slit);
 
+/// Calls visit(width, place) for each slit of a section, and for each gap between tabs or fingers
+/// that follow each other: mm, and a point in the section's plane.
+template <class Visit>
+void visitOpenings(const std::vector<Slit> &slits, Visit visit)
+{
+    for (std::size_t i = 0; i < slits.size(); ++i) {
+        const Slit &slit = slits[i];
+        if (slit.role == SlitRole::Slit)
+            visit(narrowest(slit), slit.inner);
+        if (i == 0 || slit.role != SlitRole::Tab || slits[i - 1].role != SlitRole::Tab ||
+            slits[i - 1].joint != slit.joint || slits[i - 1].overlap != slit.overlap)
+            continue;
+        const Vec2 apart = slit.inner - slits[i - 1].inner;
+        visit(apart.norm() - 0.5 * (slit.width + slits[i - 1].width),
+              Vec2(slit.inner - 0.5 * apart));
+    }
+}
+
 /// Whether nothing stays of a slit of this width, mm, when the path runs half the kerf inside it. A
 /// path of less than a micron is none.
 bool isClosedBy(double kerf, double width);
