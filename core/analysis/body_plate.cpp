@@ -14,7 +14,7 @@ PlateAttachment attachmentOf(const PlateModel &model, const Link &link, bool isA
 {
     const Vec2 at = frame.toLocal(link.point);
     const double partner = isA ? link.thicknessB : link.thicknessA;
-    if (link.kind == LinkKind::Slot) {
+    if (link.kind != LinkKind::Slits) {
         const Vec3 other = isA ? link.normalB : link.normalA;
         Vec2 along = frame.directionToLocal(other.cross(frame.normal()));
         along = along.norm() > 0.0 ? Vec2(along.normalized()) : Vec2(Vec2::UnitX());

@@ -140,6 +140,13 @@ Vec3 wayOut(const Analysis &analysis, const Joint &joint, const LinkSide &guest)
     return through;
 }
 
+/// Of a sheet with fingers: away from the other one, which goes on from their edge that way. There
+/// nothing but friction keeps it.
+Vec3 outwards(const Vec3 &normal, const Vec3 &otherWay)
+{
+    return normal.dot(otherWay) > 0.0 ? Vec3(-normal) : normal;
+}
+
 void addLink(const Analysis &analysis, const Joint &joint, int index, ModelStructure &made)
 {
     const Overlap &overlap = joint.crossing->overlaps[static_cast<std::size_t>(index)];
@@ -171,6 +178,15 @@ void addLink(const Analysis &analysis, const Joint &joint, int index, ModelStruc
         const double above = overlap.to - meet, below = meet - overlap.from;
         link.depthA = a.slit ? (isUp ? above : below) : 0.0;
         link.depthB = b.slit ? (isUp ? below : above) : 0.0;
+    } else if (!a.slit && !b.slit) {
+        link.kind = LinkKind::Fingers;
+        link.point = axis.at(0.5 * (overlap.from + overlap.to));
+        link.axis = -outwards(link.normalA, wayOut(analysis, joint, b));
+        link.depthA = link.depthB = overlap.to - overlap.from;
+        place.slits = {lineOf(a, link.point, link.depthA), lineOf(b, link.point, link.depthB)};
+        made.structure.links.push_back(link);
+        made.links.push_back(place);
+        link.axis = outwards(link.normalB, wayOut(analysis, joint, a));
     } else {
         const bool isHostA = a.slit != nullptr;
         const Vec3 out = wayOut(analysis, joint, isHostA ? b : a);

@@ -27,7 +27,7 @@ WeakPlace weakPlaceOf(const Analysis &analysis, int body, const NeckStress &neck
             (neck.begin - slit.inner).norm() < reach || (neck.end - slit.inner).norm() < reach;
         if (!isAtIt)
             continue;
-        place.spot = WeakPlace::Spot::Slit;
+        place.spot = slit.role == SlitRole::Slit ? WeakPlace::Spot::Slit : WeakPlace::Spot::Edge;
         place.guest = analysis.model.ref(static_cast<std::size_t>(slit.guest));
         break;
     }
@@ -40,6 +40,9 @@ Message spotText(const WeakPlace &place, const Model &model)
     case WeakPlace::Spot::Slit:
         //: where a part may break; %1 is the name of a section
         return {FFF_TEXT("Checks", "beside its slit for %1"), {nameOf(model, *place.guest)}};
+    case WeakPlace::Spot::Edge:
+        //: where a part may break; %1 is the name of a section
+        return {FFF_TEXT("Checks", "where it joins %1"), {nameOf(model, *place.guest)}};
     case WeakPlace::Spot::Corner:
         //: where a part may break
         return {FFF_TEXT("Checks", "at an inner corner"), {}};

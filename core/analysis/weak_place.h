@@ -13,12 +13,13 @@ struct WeakPlace
 {
     enum class Spot {
         Slit,   // a crack would begin at the end of a slit
+        Edge,   // beside tabs or fingers
         Corner, // at an inner corner of the outline
         Neck,   // straight across
     };
     SectionRef section;
     Spot spot = Spot::Neck;
-    std::optional<SectionRef> guest;             // whose slit that is
+    std::optional<SectionRef> guest;             // whose slit that is, or what is joined there
     Vec3 from = Vec3::Zero(), to = Vec3::Zero(); // of the line across it, world, mm
 };
 

@@ -25,6 +25,8 @@ constexpr double kStandsStill = 1e-3;
 /// Feet that are held horizontally while they press: so many times it is looked which do.
 constexpr int kMostHoldings = 8;
 constexpr double kThickest = 1e6; // mm
+/// Of the ground, on which what has hinges must not fold (rad).
+constexpr double kLean = 1e-3;
 
 /// The structure with everything finite; what is not sound stays out by isSound().
 Structure soundCopy(Structure structure)
@@ -67,7 +69,12 @@ public:
             if (m_arePinsLifted)
                 m_state.balance = Balance::Slides;
             else
-                m_state.balance = m_support.isAxisFree ? Balance::Mechanism : Balance::Topples;
+                m_state.balance =
+                    m_support.isAxisFree || hasFingers() ? Balance::Mechanism : Balance::Topples;
+            return;
+        }
+        if (hasFingers() && folds()) {
+            m_state.balance = Balance::Mechanism;
             return;
         }
         write(*forces);
@@ -98,9 +105,8 @@ private:
     {
         m_net =
             componentNet(m_structure, m_state.parts, m_state.body, m_support.isAxisFree, isBounded);
-        const int variant = (m_state.body.areAllHeld ? 1 : 0) + (m_support.isAxisFree ? 2 : 0) +
-                            (isBounded ? 4 : 0);
-        EquilibriumCache::Kept &kept = m_cache.at(m_state.parts.members.front(), variant);
+        EquilibriumCache::Kept &kept =
+            m_cache.at(m_state.parts.members.front(), variantOf(isBounded));
         if (!kept.search || !(kept.net == m_net.net)) {
             if (!kept.search || !kept.search->replace(m_net.net))
                 kept.search.emplace(m_net.net);
@@ -131,6 +137,40 @@ private:
             search.hold(isOn);
         }
         return forces;
+    }
+
+    bool hasFingers() const
+    {
+        return std::any_of(m_state.parts.links.begin(), m_state.parts.links.end(),
+                           [&](int i) { return m_structure.links[i].kind == LinkKind::Fingers; });
+    }
+
+    /// Whether what turns freely only stands because nothing leans: on a ground that is a little
+    /// aslant it would fold.
+    bool folds()
+    {
+        ContactSearch &search = *m_cache.at(m_state.parts.members.front(), variantOf(false)).search;
+        const Eigen::VectorXd load = componentLoad(m_structure, m_state.parts, m_net);
+        for (const Vec3 &axis : groundAxes(m_structure.up)) {
+            for (const double lean : {kLean, -kLean}) {
+                Eigen::VectorXd leaning = load;
+                for (std::size_t i = 0; i < m_state.parts.members.size(); ++i)
+                    leaning.segment<3>(6 * i) +=
+                        lean * m_structure.gravity.norm() *
+                        m_structure.members[m_state.parts.members[i]].mass * axis;
+                if (search.solve(leaning))
+                    continue;
+                writeMotion(search.motion());
+                return true;
+            }
+        }
+        return false;
+    }
+
+    int variantOf(bool isBounded) const
+    {
+        return (m_state.body.areAllHeld ? 1 : 0) + (m_support.isAxisFree ? 2 : 0) +
+               (isBounded ? 4 : 0);
     }
 
     /// What the springs that hold feet give together, N.

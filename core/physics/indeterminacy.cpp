@@ -5,12 +5,15 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+
 namespace fff {
 
 namespace {
 
 /// Contact rows that stand out of the others by less than this share are no rows (no unit).
 constexpr double kSameRow = 1e-5;
+constexpr int kHeldByFingers = 5; // all but the turn about their edge
 
 } // namespace
 
@@ -44,9 +47,14 @@ int indeterminacy(const Structure &structure, const Component &component, bool a
         Eigen::SelfAdjointEigenSolver<Block6>(gram, Eigen::EigenvaluesOnly).eigenvalues();
     const double least = kSameRow * kSameRow * squares.maxCoeff();
     const int rank = static_cast<int>((squares.array() > least).count());
-    const int links = static_cast<int>(component.links.size());
+    const auto fingers =
+        static_cast<int>(std::count_if(component.links.begin(), component.links.end(), [&](int i) {
+            return structure.links[i].kind == LinkKind::Fingers;
+        }));
+    const int held = 6 * (static_cast<int>(component.links.size()) - fingers) +
+                     kHeldByFingers * (fingers / 2); // two links of each joint
     const int members = static_cast<int>(component.members.size());
-    return 6 * (links - (members - 1)) + rows - (rows > 0 ? rank : 0);
+    return held - 6 * (members - 1) + rows - (rows > 0 ? rank : 0);
 }
 
 } // namespace fff

@@ -79,7 +79,29 @@ LinkSprings slotSprings(const Link &link, const SlitWalls &a, const SlitWalls &b
     return springs;
 }
 
+/// Half of what fingers hold with, but for the axis: the other half is another link.
+LinkSprings fingerSprings(const Link &link, const SlitWalls &a, const SlitWalls &b, double length)
+{
+    const double press = std::min(a.press, b.press);
+    const Vec3 edge = edgeOf(link);
+    const double deep = std::min(atLeast(link.thicknessA, kLeastThickness),
+                                 atLeast(link.thicknessB, kLeastThickness));
+    LinkSprings springs;
+    springs.across.topLeftCorner<3, 3>() = 0.5 * press * edge * edge.transpose();
+    springs.across.bottomRightCorner<3, 3>() =
+        0.5 * (link.isTight ? kTightWalls : kOneWall) * press * deep * length *
+        (Eigen::Matrix3d::Identity() - edge * edge.transpose());
+    springs.along = kSlitBottom * press;
+    return springs;
+}
+
 } // namespace
+
+Vec3 edgeOf(const Link &link)
+{
+    const Vec3 edge = link.normalA.cross(link.normalB);
+    return edge.norm() > kAlongNormal ? Vec3(edge.normalized()) : link.axis.unitOrthogonal();
+}
 
 LinkSprings linkSprings(const Link &link, bool isAxisFree)
 {
@@ -94,6 +116,8 @@ LinkSprings linkSprings(const Link &link, bool isAxisFree)
     if (link.kind == LinkKind::Slot)
         return slotSprings(link, a, b, std::max(depthA, depthB), thicknessA, thicknessB,
                            isAxisFree);
+    if (link.kind == LinkKind::Fingers)
+        return fingerSprings(link, a, b, std::max(depthA, depthB));
     const Vec3 axis = link.axis.normalized();
     LinkSprings springs;
     springs.across =

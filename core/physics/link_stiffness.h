@@ -20,6 +20,9 @@ struct LinkSprings
     double along = 0.0;                           // N/mm
 };
 
+/// Unit: along which two plates meet.
+Vec3 edgeOf(const Link &link);
+
 /// The springs of a link.
 ///
 ///     about n_a   c E_a t_a L_a²,  c = 0.29 tight, 0.155 with play (one wall of two presses)
@@ -34,8 +37,10 @@ struct LinkSprings
 /// thick, holds its guest g in the same ways, by analogy: 1.0 E_h t_h across the guest, 1.0 E_g t_g
 /// along the slot, c E_g t_g t_h² about the guest's normal, c E_h t_h L² about the way out, c E_h
 /// t_h² L about the slot; the last is an estimate, and is what an axis that is free leaves out.
-/// What is no positive number is taken for very little, so that the stiffness is positive definite
-/// but for what is freed.
+/// Fingers, by analogy, half of it for each of the two links: 1.0 E t along the edge, c E t · t L
+/// about what is square to it, nothing about the edge; 0.5 E t along either axis. What is no
+/// positive number is taken for very little, so that the stiffness is positive definite but for
+/// what is freed.
 ///
 /// isAxisFree  without the resistance about the axis
 /// Source  the product's mechanics, section 1.3: plane stress of a slit with a rigid insert.

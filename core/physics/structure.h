@@ -17,8 +17,10 @@ struct Member
 
 /// What one link is made of: what holds and how it comes apart.
 enum class LinkKind {
-    Slits, // two slits, each around the other's plate
-    Slot,  // a mortise or tabs: one plate in a slot of the other, walls all round
+    Slits,   // two slits, each around the other's plate
+    Slot,    // a mortise or tabs: one plate in a slot of the other, walls all round
+    Fingers, // one of the two ways apart of plates whose fingers take turns: a joint has two such
+             // links. They turn freely about their edge, which is square to both normals
 };
 
 /// One overlap of a joint. A wrench on it acts on `a` about `point`, its opposite on `b`.
@@ -28,10 +30,10 @@ struct Link
     LinkKind kind = LinkKind::Slits;
     Vec3 point = Vec3::Zero(); // where the two slits meet, mm
     Vec3 axis = Vec3::UnitZ(); // unit: the way in which the slit of a opens; that of b opens along
-                               // −axis. Of a slot: against the way in which a comes out. A force
+                               // −axis. Of others: against the way in which a comes out. A force
                                // on a along +axis pulls the link apart
     Vec3 normalA = Vec3::UnitX(), normalB = Vec3::UnitY(); // unit, of the plates
-    double depthA = 0.0, depthB = 0.0;         // mm, of their slits; of a slot its length
+    double depthA = 0.0, depthB = 0.0;         // mm, of their slits; of others its length
     double thicknessA = 0.0, thicknessB = 0.0; // mm, of the plates
     double modulusA = 0.0, modulusB = 0.0;     // MPa
     bool isTight = true;                       // both walls of a slit press; false: it has play

@@ -32,7 +32,7 @@ Message frictionSentence(const Finding &finding, const Model &model)
 {
     //: %3 is a number of newtons
     return {FFF_TEXT("Checks", "Held by friction. The joint of %1 and %2 is pulled with %3 N, "
-                               "which only slits without play hold."),
+                               "which only a tight fit holds."),
             {nameAt(finding, model, 0), nameAt(finding, model, 1),
              Decimal{finding.details<PulledJoint>()->force, 2}}};
 }

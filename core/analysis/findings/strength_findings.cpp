@@ -210,6 +210,13 @@ Message movesSentence(const Finding &finding, const Model &model)
             {namesOf(model, finding.sections)}};
 }
 
+Message foldsSentence(const Finding &finding, const Model &model)
+{
+    return {FFF_TEXT("Checks", "Folds. Fingers turn like hinges, and nothing else keeps %1 from "
+                               "turning: glue them, or join them to one more section."),
+            {namesOf(model, finding.sections)}};
+}
+
 Message besideSentence(const Finding &finding, const Model &model)
 {
     return {
@@ -247,7 +254,13 @@ void findMoving(const Analysis &analysis, const Strength &strength, std::vector<
         const bool isLoose = state.balance == Balance::Mechanism && state.openLinks.empty();
         if (!isLoose && state.balance != Balance::Slides)
             continue;
-        Finding finding = makeFinding(kMovesWithin, Severity::Error);
+        const std::vector<Link> &links = strength.made.structure.links;
+        const bool hasFingers =
+            std::any_of(state.parts.links.begin(), state.parts.links.end(), [&](int link) {
+                return links[static_cast<std::size_t>(link)].kind == LinkKind::Fingers;
+            });
+        Finding finding =
+            makeFinding(isLoose && hasFingers ? kFolds : kMovesWithin, Severity::Error);
         if (isLoose) {
             std::set<int> sections;
             for (const int body : state.offenders)
@@ -358,6 +371,7 @@ const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,
                                    FFF_TEXT("Checks", "Strength unknown"), strengthUnknownSentence};
 const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Checks", "Comes loose"),
                                movesSentence};
+const FindingKind kFolds{"folds", Subject::Strength, FFF_TEXT("Checks", "Folds"), foldsSentence};
 const FindingKind kWeightBeside{
     "weightBeside", Subject::Strength, FFF_TEXT("Checks", "Off the material"),
     besideSentence, nullptr,           nullptr,

@@ -8,7 +8,7 @@
 namespace fff {
 
 extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
-    kWeightBeside;
+    kFolds, kWeightBeside;
 
 /// Of the verdict on all of it.
 struct Held
