@@ -1176,11 +1176,6 @@
         </translation>
     </message>
     <message>
-        <source>Held by friction. The joint of %1 and %2 is pulled with %3 N, which only slits without play hold.</source>
-        <extracomment>%3 is a number of newtons</extracomment>
-        <translation>Von Reibung gehalten. An der Verbindung von %1 und %2 ziehen %3 N, die nur Schlitze ohne Spiel halten.</translation>
-    </message>
-    <message>
         <source>Held by friction</source>
         <translation>Von Reibung gehalten</translation>
     </message>
@@ -1205,6 +1200,24 @@
             <numerusform>%n Ring aus Scheiben, in dem jede vor den anderen hinein müsste.</numerusform>
             <numerusform>%n Ringe aus Scheiben, in denen jede vor den anderen hinein müsste.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Held by friction. The joint of %1 and %2 is pulled with %3 N, which only a tight fit holds.</source>
+        <extracomment>%3 is a number of newtons</extracomment>
+        <translation>Von Reibung gehalten. An der Verbindung von %1 und %2 ziehen %3 N, die nur eine enge Passung hält.</translation>
+    </message>
+    <message>
+        <source>Folds. Fingers turn like hinges, and nothing else keeps %1 from turning: glue them, or join them to one more section.</source>
+        <translation>Klappt um. Fingerzinken drehen sich wie Scharniere, und sonst hält %1 nichts: Verkleben oder mit noch einer Scheibe verbinden.</translation>
+    </message>
+    <message>
+        <source>Folds</source>
+        <translation>Klappt um</translation>
+    </message>
+    <message>
+        <source>where it joins %1</source>
+        <extracomment>where a part may break; %1 is the name of a section</extracomment>
+        <translation>am Übergang zu %1</translation>
     </message>
 </context>
 <context>
@@ -4976,6 +4989,22 @@
         <source>%1 was drawn beside its slit: it was given a neck, and cut flat at the ground.</source>
         <translation>%1 wurde neben ihrem Schlitz gezeichnet: Sie bekam einen Steg und wurde am Boden eben abgeschnitten.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
+        <translation>
+            <numerusform>%n Kante hat keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie ist zu kurz.</numerusform>
+            <numerusform>%n Kanten haben keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie sind zu kurz.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Kein flaches Stück von %1 ist groß genug für eine Scheibe: Erst größer machen.</translation>
+    </message>
+    <message>
+        <source>It has more than %1 flat pieces: choose fewer faces.</source>
+        <translation>Es hat mehr als %1 flache Stücke: Weniger Flächen wählen.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6589,6 +6618,19 @@
         <source>Support %1 with a foot</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 mit einem Fuß stützen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Suggest %n sections for %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>%n Scheibe für %1 vorschlagen</numerusform>
+            <numerusform>%n Scheiben für %1 vorschlagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Make facets of %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>%1 aus Flächen bauen</translation>
     </message>
 </context>
 <context>
@@ -9167,6 +9209,57 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::MakingGroup</name>
+    <message>
+        <source>Suggest sections</source>
+        <translation>Scheiben vorschlagen</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Wie viele</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Vorschlagen</translation>
+    </message>
+    <message>
+        <source>Finds sections that show its form, hold each other and stand</source>
+        <translation>Findet Scheiben, die seine Form zeigen, einander halten und stehen</translation>
+    </message>
+    <message>
+        <source>One more</source>
+        <translation>Noch eine</translation>
+    </message>
+    <message>
+        <source>A section that fits among those there</source>
+        <translation>Eine Scheibe, die zwischen die vorhandenen passt</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Other sections instead of the last</source>
+        <translation>Andere Scheiben statt der letzten</translation>
+    </message>
+    <message>
+        <source>Facets</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Faces, at most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Make facets</source>
+        <translation>Aus Flächen bauen</translation>
+    </message>
+    <message>
+        <source>Builds it of flat sheets with fingers along their edges. The mesh is simplified first; faces that lie flat together are one sheet.</source>
+        <translation>Baut es aus flachen Scheiben mit Fingerzinken an den Kanten. Das Netz wird erst vereinfacht; Flächen in einer Ebene werden eine Scheibe.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::MarkGroup</name>
     <message>
         <source>Marks</source>
@@ -11496,6 +11589,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Safety factor %1</source>
         <extracomment>in the legend of stress: %1 is the safety factor, such as 2</extracomment>
         <translation>Sicherheitsfaktor %1</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TemplateMaker</name>
+    <message>
+        <source>Looking for sections…</source>
+        <translation>Scheiben werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Making facets…</source>
+        <translation>Flächen werden gebaut…</translation>
     </message>
 </context>
 <context>

@@ -290,6 +290,13 @@
             <numerusform>%n copies of %1 carry it too; &lt;i&gt;Properties&lt;/i&gt; can keep it to this one.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
+        <translation>
+            <numerusform>%n edge has no fingers: its sheets meet too flat or too sharply, or it is too short.</numerusform>
+            <numerusform>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Mesh</name>
@@ -550,6 +557,14 @@
         <translation>
             <numerusform>Attach 1 section</numerusform>
             <numerusform>Attach %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Suggest %n sections for %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>Suggest a section for %1</numerusform>
+            <numerusform>Suggest %n sections for %1</numerusform>
         </translation>
     </message>
 </context>

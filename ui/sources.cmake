@@ -77,6 +77,7 @@ target_sources(fff_ui PRIVATE
     docks/load_tree.cpp
     docks/library_dock.cpp
     docks/model_page.cpp
+    docks/making_group.cpp
     docks/movement_rows.cpp
     docks/operation_page.cpp
     docks/operation_tree.cpp
@@ -100,6 +101,7 @@ target_sources(fff_ui PRIVATE
     files/progress.cpp
     files/recent_menu.cpp
     files/replace_question.cpp
+    files/template_maker.cpp
     files/unsaved_work.cpp
     properties/choice_box.cpp
     properties/dimension_group.cpp

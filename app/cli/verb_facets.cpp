@@ -1,43 +1,17 @@
 // A mesh of few faces as a box of flat sheets with fingers along their edges.
 #include "app/cli/mesh_options.h"
-#include "core/model/edits.h"
+#include "core/analysis/facetted.h"
 #include "core/model/template_edits.h"
-#include "core/operations/evaluate.h"
-#include "core/operations/facet_model.h"
-#include "core/templates/simplified_mesh.h"
-#include "core/templates/template_mesh.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fff::cli {
 
 namespace {
 
-constexpr int kFewestFaces = 4; // of what encloses anything
-
 QString tr(const char *text)
 {
     return QCoreApplication::translate("CommandLine", text);
-}
-
-/// As the template lies in the world, outwards.
-TriangleMeshPointer inWorld(const Template &one)
-{
-    const TriangleMesh &mesh = *one.mesh->mesh;
-    const Similarity placement = worldPlacement(one, *one.mesh);
-    std::vector<Vec3> positions;
-    positions.reserve(mesh.positions().size());
-    for (const Vec3 &p : mesh.positions())
-        positions.push_back(placement(p));
-    std::vector<Triangle> triangles = mesh.triangles();
-    if (mesh.volume() < 0.0)
-        for (Triangle &triangle : triangles)
-            std::swap(triangle[1], triangle[2]);
-    return std::make_shared<const TriangleMesh>(std::move(positions), std::move(triangles), 1.0);
 }
 
 QString whyBare(NoTabs why)
@@ -70,17 +44,6 @@ void printBare(const FacetModel &model)
         if (!pairs.isEmpty())
             printError(whyBare(why).arg(pairs.join(QStringLiteral(", "))));
     }
-}
-
-/// Down to the ground: corners of sheets end before those of the mesh.
-Document onTheGround(const Document &document)
-{
-    AnalysisCaches caches;
-    const Analysis analysis = analyse(evaluate(document), caches);
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Body &body : analysis.bodies)
-        lowest = std::min(lowest, body.box().min.y());
-    return std::isfinite(lowest) ? moveAll(document, Vec3(0.0, -lowest, 0.0)) : document;
 }
 
 int reportFacets(const Error &error, const QString &file)
@@ -117,31 +80,24 @@ int runFacets(const QStringList &arguments)
         return *parsed.status;
     std::optional<int> status;
     const std::optional<int> faces =
-        wholeNumber(parser, verb, "faces", kFewestFaces, int(kMostFacets), status);
+        wholeNumber(parser, verb, "faces", int(kFewestFaces), int(kMostFacets), status);
     if (status)
         return *status;
     MeshModel started = readMeshModel(parsed.files.first(), parser, verb);
     if (started.status)
         return *started.status;
     const QString file = parsed.files.first();
-    const TemplatePointer drawn = started.document.templates.front();
-    Result<TriangleMeshPointer> mesh = inWorld(*drawn);
-    if (faces)
-        mesh = simplified(*mesh, static_cast<std::size_t>(*faces))
-                   .map([&](const TriangleMeshPointer &few) { // as large, and on the ground again
-                       return placedMesh(*few, (*mesh)->size());
-                   });
-    if (!mesh)
-        return report(mesh.error(), file);
-    Document document = *removeTemplate(std::move(started.document), drawn->id);
-    const Result<FacetModel> model = facetModel(std::move(document), **mesh, drawn->name);
+    const TemplateId of = started.document.templates.front()->id;
+    const std::optional<std::size_t> few =
+        faces ? std::optional(static_cast<std::size_t>(*faces)) : std::nullopt;
+    const Result<FacetModel> model = facetted(started.document, of, few);
     if (!model)
         return reportFacets(model.error(), file);
     if (model->tooSmall > 0)
         printError(tr("Pieces too small for a section: %1").arg(model->tooSmall));
     printBare(*model);
     printError(tr("Sections: %1, joints: %2").arg(model->sections.size()).arg(model->joints));
-    return writeMeshModel(onTheGround(model->document), parser);
+    return writeMeshModel(*removeTemplate(model->document, of), parser);
 }
 
 } // namespace fff::cli

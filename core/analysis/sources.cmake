@@ -15,6 +15,7 @@ target_sources(fff_core PRIVATE
     analysis/checks.cpp
     analysis/cutting.cpp
     analysis/dropping.cpp
+    analysis/facetted.cpp
     analysis/finding.cpp
     analysis/finding_action.cpp
     analysis/findings/broader_base.cpp

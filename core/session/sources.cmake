@@ -35,6 +35,7 @@ target_sources(fff_session PRIVATE
     slot_files.cpp
     slot_lock.cpp
     template_commands.cpp
+    template_making.cpp
     tool_commands.cpp
     unreadable_work.cpp
     view_commands.cpp

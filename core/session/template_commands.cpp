@@ -1,18 +1,22 @@
 #include "core/session/template_commands.h"
 
+#include "core/analysis/facetted.h"
 #include "core/io/template_file.h"
 #include "core/model/template_edits.h"
 #include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
+#include "core/session/template_making.h"
 #include "core/session/template_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
 namespace {
 
 constexpr double kPercent = 100.0;
+constexpr int kMostSeed = 999'999'999;
 
 Result<bool> truthOf(const CommandParameters &parameters, const char *key, bool otherwise)
 {
@@ -22,6 +26,19 @@ Result<bool> truthOf(const CommandParameters &parameters, const char *key, bool 
     if (*text != "true" && *text != "false")
         return failure(ErrorCode::BadValue, key, {*text, "true or false"});
     return *text == "true";
+}
+
+Result<int> wholeOf(const CommandParameters &parameters, const char *key, int otherwise, int least,
+                    int most)
+{
+    const Result<double> number = numberOf(parameters, key, otherwise);
+    if (!number)
+        return tl::unexpected(number.error());
+    if (!(*number >= least && *number <= most) || *number != std::floor(*number))
+        return failure(ErrorCode::BadValue, key,
+                       {*textOf(parameters, key), "a whole number from " + std::to_string(least) +
+                                                      " to " + std::to_string(most)});
+    return static_cast<int>(*number);
 }
 
 class TemplateCommands
@@ -130,6 +147,43 @@ public:
         });
     }
 
+    /// What is not as it was wanted is said; where nothing comes of it, as the refusal.
+    Result<void> suggest(const CommandParameters &parameters, double time) const
+    {
+        const Result<Template> one = templateOf(parameters);
+        if (!one)
+            return tl::unexpected(one.error());
+        const Result<int> count = wholeOf(parameters, "count", 8, 1, kMostSuggested);
+        const Result<int> seed = wholeOf(parameters, "seed", 1, 0, kMostSeed);
+        if (!count)
+            return tl::unexpected(count.error());
+        if (!seed)
+            return tl::unexpected(seed.error());
+        Result<SectionEdit> made = suggestedEdit(m_session.committed(), one->id,
+                                                 {*count, static_cast<std::uint64_t>(*seed)});
+        if (!made)
+            return tl::unexpected(std::move(made.error()));
+        m_interaction.carryOut(*std::move(made), time);
+        return {};
+    }
+
+    Result<void> facets(const CommandParameters &parameters, double time) const
+    {
+        const Result<Template> one = templateOf(parameters);
+        if (!one)
+            return tl::unexpected(one.error());
+        const Result<int> faces =
+            wholeOf(parameters, "faces", int(kMostFacets), int(kFewestFaces), int(kMostFacets));
+        if (!faces)
+            return tl::unexpected(faces.error());
+        Result<SectionEdit> made =
+            facetEdit(m_session.committed().document, one->id, static_cast<std::size_t>(*faces));
+        if (!made)
+            return tl::unexpected(std::move(made.error()));
+        m_interaction.carryOut(*std::move(made), time);
+        return {};
+    }
+
 private:
     template <class Change>
     Result<void> changeMesh(const CommandParameters &parameters, double time, Change change) const
@@ -205,7 +259,9 @@ void registerTemplateCommands(CommandRegistry &registry, Session &session, Inter
     for (const auto &[id, run] : {std::pair("template.set", &TemplateCommands::set),
                                   std::pair("template.remove", &TemplateCommands::remove),
                                   std::pair("template.toGround", &TemplateCommands::toGround),
-                                  std::pair("template.turnUp", &TemplateCommands::turnUp)})
+                                  std::pair("template.turnUp", &TemplateCommands::turnUp),
+                                  std::pair("template.suggest", &TemplateCommands::suggest),
+                                  std::pair("template.facets", &TemplateCommands::facets)})
         registry.add(id, {runner(run), hasTemplates});
 }
 

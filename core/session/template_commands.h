@@ -1,4 +1,5 @@
-// template.add, set, remove, toGround and turnUp: what sections are drawn after.
+// template.add, set, remove, toGround, turnUp, suggest and facets: what sections are drawn after,
+// and what is made of it at once.
 #pragma once
 
 #include "core/interaction/commands.h"
@@ -13,7 +14,8 @@ namespace fff {
 /// "reference" ("true": its bytes stay where they are). The others take "template" (its name;
 /// without it the last one). set: "name", "x", "y" and "z" (mm, of its middle), "size", "opacity"
 /// (percent), "hidden" and "locked". turnUp lays it so that the other one of the file's y and z is
-/// upwards. Session and interaction outlive the registry.
+/// upwards. suggest: "count" and "seed" (whole numbers; 8 and 1). facets: "faces", at most. Session
+/// and interaction outlive the registry.
 void registerTemplateCommands(CommandRegistry &registry, Session &session,
                               Interaction &interaction);
 

@@ -10,6 +10,8 @@
 #include "tests/ui/window_program.h"
 
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QTreeWidget>
 
 using namespace fff;
@@ -25,8 +27,15 @@ private Q_SLOTS:
 
     void shiftEnterTakesTheGuideAcross();
     void theListHidesLocksAndRemoves();
+    void suggestionsComeOneStepEach();
+    void facetsTakeThePlaceOfTheMesh();
 
 private:
+    void push(const char *button)
+    {
+        QTest::mouseClick(m_window->findChild<QPushButton *>(QLatin1String(button)),
+                          Qt::LeftButton);
+    }
     void addBall()
     {
         Template one;
@@ -81,6 +90,69 @@ void TestTemplateWindow::theListHidesLocksAndRemoves()
     QCOMPARE(tree->topLevelItemCount(), 0);
     session().history()->undo();
     QCOMPARE(tree->topLevelItemCount(), 1);
+}
+
+// One that is not liked goes for the next: nobody has to undo it, nor does it stay in the history.
+void TestTemplateWindow::suggestionsComeOneStepEach()
+{
+    addBall();
+    auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
+    dock->show();
+    dock->raise();
+    m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"))
+        ->setCurrentItem(
+            m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"))->topLevelItem(0));
+    const auto *another = m_window->findChild<QPushButton *>(QStringLiteral("suggestAnother"));
+    const auto *more = m_window->findChild<QPushButton *>(QStringLiteral("suggestOneMore"));
+    QVERIFY(!another->isEnabled() && !more->isEnabled());
+    const int before = steps();
+
+    push("suggestSections");
+    const std::size_t found = count();
+    QVERIFY(found >= 4);
+    QCOMPARE(steps(), before + 1);
+    QVERIFY(another->isEnabled() && more->isEnabled());
+    const Document first = session().committed().document;
+
+    push("suggestOneMore");
+    QCOMPARE(count(), found + 1);
+    QCOMPARE(steps(), before + 2);
+    auto *field = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("suggestCount.field"));
+    field->setValue(3.0);
+    push("suggestSections"); // another number: not three more
+    QCOMPARE(count(), std::size_t(3));
+    QCOMPARE(steps(), before + 1);
+
+    push("suggestAnother");
+    QVERIFY(!session().committed().document.isSame(first));
+    QCOMPARE(steps(), before + 1);
+    session().history()->undo();
+    QCOMPARE(count(), std::size_t(0));
+    QVERIFY(!another->isEnabled() && !more->isEnabled());
+    push("suggestSections"); // what was undone is no reason to go on from there
+    QCOMPARE(steps(), before + 1);
+}
+
+void TestTemplateWindow::facetsTakeThePlaceOfTheMesh()
+{
+    addBall();
+    m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"))->show();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"));
+    tree->setCurrentItem(tree->topLevelItem(0));
+    const int before = steps();
+    auto *faces = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("facetFaces.field"));
+    faces->setValue(20.0);
+    push("makeFacets");
+    QVERIFY(count() >= 8 && count() <= 20);
+    QVERIFY(ball().isHidden);
+    QCOMPARE(steps(), before + 1);
+    faces->setValue(12.0);
+    push("makeFacets"); // fewer, not more besides
+    QVERIFY(count() >= 4 && count() <= 12);
+    QCOMPARE(steps(), before + 1);
+    session().history()->undo();
+    QCOMPARE(count(), std::size_t(0));
+    QVERIFY(!ball().isHidden);
 }
 
 FFF_TEST_WITH(TestTemplateWindow, runInWindowProgram<TestTemplateWindow>)

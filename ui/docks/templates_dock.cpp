@@ -8,6 +8,7 @@
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/making_group.h"
 #include "ui/docks/outline_marks.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/slider_field.h"
@@ -193,14 +194,38 @@ QWidget *TemplatesDock::makeFields()
     column->addLayout(buttons);
     column->addSpacing(6);
     column->addWidget(slices);
+    column->addSpacing(6);
+    column->addWidget(makeMaking());
     column->addStretch();
     area->setWidget(m_fields);
     return area;
 }
 
+QWidget *TemplatesDock::makeMaking()
+{
+    m_making = new MakingGroup(m_fields);
+    const auto ofChosen = [this](auto wanted) {
+        return [this, wanted](auto... number) {
+            if (const Template *one = chosen())
+                Q_EMIT(this->*wanted)(one->id, number...);
+        };
+    };
+    connect(m_making, &MakingGroup::suggestionWanted, this,
+            ofChosen(&TemplatesDock::suggestionWanted));
+    connect(m_making, &MakingGroup::oneMoreWanted, this, ofChosen(&TemplatesDock::oneMoreWanted));
+    connect(m_making, &MakingGroup::facetsWanted, this, ofChosen(&TemplatesDock::facetsWanted));
+    connect(m_making, &MakingGroup::anotherWanted, this, &TemplatesDock::anotherWanted);
+    return m_making;
+}
+
 void TemplatesDock::refreshColours()
 {
     writeRows();
+}
+
+void TemplatesDock::setHasSuggestion(bool hasLast)
+{
+    m_making->refresh(m_bench.session().model().sectionCount() > 0, hasLast);
 }
 
 void TemplatesDock::followModel()

@@ -15,6 +15,7 @@ class QTreeWidgetItem;
 
 namespace fff::ui {
 
+class MakingGroup;
 class PropertyGroup;
 class PropertyRow;
 class Workbench;
@@ -26,15 +27,22 @@ public:
     explicit TemplatesDock(Workbench &bench, QWidget *parent = nullptr);
 
     void refreshColours();
+    /// What was suggested last is the newest step.
+    void setHasSuggestion(bool hasLast);
 
 Q_SIGNALS:
     void addWanted();
+    void suggestionWanted(fff::TemplateId of, int count);
+    void oneMoreWanted(fff::TemplateId of);
+    void anotherWanted();
+    void facetsWanted(fff::TemplateId of, int faces);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     QWidget *makeFields();
+    QWidget *makeMaking();
     void followModel();
     void writeRows();
     void writeRow(QTreeWidgetItem *item, const Template &one);
@@ -52,6 +60,7 @@ private:
     QLabel *m_empty = nullptr;
     QWidget *m_fields = nullptr;
     PropertyGroup *m_group = nullptr;
+    MakingGroup *m_making = nullptr;
     std::vector<PropertyRow *> m_rows;
     std::vector<TemplatePointer> m_shown; // what the rows are of
     bool m_isFilling = false;

@@ -222,8 +222,7 @@ void MainWindow::makeDocks()
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
     connect(m_steps, &StepsView::waitingChanged, m_actions, &ActionSet::refresh);
     speakSelection(*m_view, *m_bench, *m_checkList);
-    connect(m_templates, &TemplatesDock::addWanted, this,
-            [this] { run(QStringLiteral("template.addMesh")); });
+    connectTemplates();
     connect(m_library, &LibraryDock::said, m_status, &StatusLine::say);
     connect(m_library, &LibraryDock::failed, m_messages,
             [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });

@@ -83,6 +83,7 @@ private:
     void readDrawing(const QString &command, const QString &path);
     void addMesh();
     void readMesh(const QString &path);
+    void connectTemplates();
     void run(const QString &id);
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.

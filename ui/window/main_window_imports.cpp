@@ -5,6 +5,7 @@
 #include "ui/docks/templates_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/files/mesh_import.h"
+#include "ui/files/template_maker.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_layout.h"
 
@@ -29,6 +30,22 @@ void MainWindow::addMesh()
 {
     if (const QString path = m_files->askForMesh(); !path.isEmpty())
         readMesh(path);
+}
+
+void MainWindow::connectTemplates()
+{
+    connect(m_templates, &TemplatesDock::addWanted, this,
+            [this] { run(QStringLiteral("template.addMesh")); });
+    auto *maker = new TemplateMaker(*this, *m_bench);
+    connect(m_templates, &TemplatesDock::suggestionWanted, maker,
+            qOverload<TemplateId, int>(&TemplateMaker::suggest));
+    connect(m_templates, &TemplatesDock::oneMoreWanted, maker, &TemplateMaker::suggestOneMore);
+    connect(m_templates, &TemplatesDock::anotherWanted, maker, &TemplateMaker::suggestAnother);
+    connect(m_templates, &TemplatesDock::facetsWanted, maker, &TemplateMaker::makeFacets);
+    connect(&m_bench->session(), &Session::committedChanged, m_templates,
+            [this, maker] { m_templates->setHasSuggestion(maker->hasSuggestion()); });
+    connect(maker, &TemplateMaker::failed, m_messages,
+            [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
 }
 
 void MainWindow::readMesh(const QString &path)

@@ -83,6 +83,8 @@ private Q_SLOTS:
     void itStandsAsLargeAsToldTo();
     void whatIsLargerThanTheRoomIsMadeSmaller();
     void itTurnsAboutWhereItStands();
+    void suggestedSectionsAreOneStep();
+    void facetsStandWhereTheMeshIs();
     void wrongUseChangesNothing_data();
     void wrongUseChangesNothing();
 };
@@ -128,6 +130,40 @@ void TestTemplateCommands::itTurnsAboutWhereItStands()
     QVERIFY((bench.bounds().size() - before.size()).norm() < 1e-9);
 }
 
+// What was found is chosen, so that it can be moved, or be deleted, at once.
+void TestTemplateCommands::suggestedSectionsAreOneStep()
+{
+    Bench bench;
+    QVERIFY(bench.add(bench.corner));
+    const Document before = bench.session.committed().document;
+    QVERIFY(bench.run("template.suggest", {{"count", "3"}}));
+    const Model &suggested = bench.session.committed();
+    QVERIFY(suggested.sectionCount() >= 2);
+    QCOMPARE(bench.interaction.selection().size(), suggested.sectionCount());
+    QCOMPARE(bench.session.history()->count(), 2);
+    bench.session.history()->undo();
+    QVERIFY(bench.session.committed().document.isSame(before));
+}
+
+void TestTemplateCommands::facetsStandWhereTheMeshIs()
+{
+    Bench bench;
+    QVERIFY(bench.add(bench.corner));
+    QVERIFY(bench.run("template.set", {{"x", "120"}, {"z", "-40"}}));
+    const Box3 mesh = bench.bounds();
+    QVERIFY(bench.run("template.facets"));
+    const Model &made = bench.session.committed();
+    QCOMPARE(made.sectionCount(), std::size_t(4));
+    QVERIFY(made.document.templates.front()->isHidden);
+    Box3 box;
+    for (const Body &body : bench.session.currentAnalysis().bodies)
+        box.extend(body.box());
+    QVERIFY(std::abs(box.min.y() - mesh.min.y()) < 1e-6);
+    QVERIFY((box.center() - mesh.center()).norm() < 0.2 * mesh.size().maxCoeff());
+    bench.session.history()->undo();
+    QCOMPARE(bench.session.committed().sectionCount(), std::size_t(0));
+}
+
 void TestTemplateCommands::wrongUseChangesNothing_data()
 {
     QTest::addColumn<QString>("command");
@@ -169,6 +205,21 @@ void TestTemplateCommands::wrongUseChangesNothing_data()
     QTest::newRow("inside out") << "template.set"
                                 << "size"
                                 << "-3";
+    QTest::newRow("no section") << "template.suggest"
+                                << "count"
+                                << "0";
+    QTest::newRow("half a section") << "template.suggest"
+                                    << "count"
+                                    << "2.5";
+    QTest::newRow("more than anyone asks for") << "template.suggest"
+                                               << "count"
+                                               << "1000";
+    QTest::newRow("encloses nothing") << "template.facets"
+                                      << "faces"
+                                      << "3";
+    QTest::newRow("no seed") << "template.suggest"
+                             << "seed"
+                             << "-1";
     QTest::newRow("not hidden or shown") << "template.set"
                                          << "hidden"
                                          << "half";

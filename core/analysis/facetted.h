@@ -1,0 +1,22 @@
+// A template as a box of flat sheets, in its place.
+#pragma once
+
+#include "core/operations/facet_model.h"
+
+#include <optional>
+
+namespace fff {
+
+inline constexpr std::size_t kFewestFaces = 4; // of what encloses anything
+
+/// The template stays as it is. Sheets stand on the ground where the mesh's lowest corner stood on
+/// it: their own corners end before those of the mesh.
+///
+/// faces   the mesh is simplified to this many triangles first, and made as large again; none: it
+///         is taken as it is
+/// Errors  those of simplified() and facetModel(); UnknownReference for a template that is not
+///         there or has no mesh.
+Result<FacetModel> facetted(const Document &document, TemplateId of,
+                            std::optional<std::size_t> faces = {}, const LongWork &work = {});
+
+} // namespace fff

@@ -1,0 +1,73 @@
+#include "core/session/template_making.h"
+
+#include "core/analysis/facetted.h"
+#include "core/model/template_edits.h"
+#include "core/session/template_words.h"
+
+namespace fff {
+
+namespace {
+
+Message together(const std::vector<Message> &messages)
+{
+    Message all;
+    for (const Message &message : messages)
+        all = all.isEmpty() ? message : Message{kOneAfterOther, {all, message}};
+    return all;
+}
+
+SectionEdit made(Document document, const std::vector<SectionId> &sections, Step step, Hint note)
+{
+    EditedSections edit{std::move(document), std::move(step)};
+    edit.select.emplace(sections.begin(), sections.end());
+    if (!note.words.isEmpty())
+        edit.note = std::move(note);
+    return edit;
+}
+
+Hint whatIsBare(const FacetModel &model)
+{
+    if (model.bare.empty())
+        return {};
+    return Message{hints::kBareEdges, {}, static_cast<int>(model.bare.size())};
+}
+
+} // namespace
+
+Result<SectionEdit> suggestedEdit(const Model &model, TemplateId of,
+                                  const SuggestionOptions &options, const LongWork &work)
+{
+    Result<Suggestion> suggested = suggestSections(model, of, options, work);
+    if (!suggested)
+        return tl::unexpected(std::move(suggested.error()));
+    Hint note = together(suggested->messages);
+    if (suggested->sections.empty()) {
+        note.isRefusal = true;
+        return SectionEdit(tl::unexpect, std::move(note));
+    }
+    const Named name{suggested->document.find(of)->name};
+    const auto count = static_cast<int>(suggested->sections.size());
+    return made(std::move(suggested->document), suggested->sections,
+                Message{steps::kSuggestSections, {name}, count}, std::move(note));
+}
+
+Result<SectionEdit> facetEdit(const Document &document, TemplateId of, std::size_t faces,
+                              const LongWork &work)
+{
+    Result<FacetModel> model = facetted(document, of, faces, work);
+    if (!model && model.error().code == ErrorCode::EmptyContour)
+        return SectionEdit(refused(hints::kTooSmallForFacets, {Named{document.find(of)->name}}));
+    if (!model && model.error().code == ErrorCode::BadCount)
+        return SectionEdit(refused(hints::kTooManyFacets, {static_cast<int>(kMostFacets)}));
+    if (!model)
+        return tl::unexpected(std::move(model.error()));
+    Template hidden = *model->document.find(of);
+    hidden.isHidden = true;
+    Result<Document> next = setTemplate(std::move(model->document), hidden);
+    if (!next)
+        return tl::unexpected(std::move(next.error()));
+    return made(*std::move(next), model->sections,
+                Message{steps::kMakeFacets, {Named{hidden.name}}}, whatIsBare(*model));
+}
+
+} // namespace fff

@@ -1,0 +1,99 @@
+#include "ui/docks/making_group.h"
+
+#include "core/analysis/facetted.h"
+#include "core/analysis/suggesting/suggestion.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/slider_field.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kNumberField = 72, kButtonGap = 6; // px
+constexpr int kSuggestedSlid = 40, kFacesSlid = 200;
+
+} // namespace
+
+MakingGroup::MakingGroup(QWidget *parent) : QWidget(parent)
+{
+    auto *sections = new PropertyGroup(tr("Suggest sections"), this);
+    SliderField *count = number(sections, tr("How many"), "suggestCount",
+                                {1, kSuggestedSlid, kMostSuggested}, &m_count);
+    QPushButton *suggest =
+        button(tr("Suggest"), "suggestSections",
+               tr("Finds sections that show its form, hold each other and stand"));
+    m_more = button(tr("One more"), "suggestOneMore", tr("A section that fits among those there"));
+    m_another = button(tr("Another"), "suggestAnother", tr("Other sections instead of the last"));
+    connect(suggest, &QPushButton::clicked, this, [this, count] {
+        count->settle();
+        Q_EMIT suggestionWanted(m_count);
+    });
+    connect(m_more, &QPushButton::clicked, this, &MakingGroup::oneMoreWanted);
+    connect(m_another, &QPushButton::clicked, this, &MakingGroup::anotherWanted);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(kButtonGap);
+    for (QPushButton *one : {suggest, m_more, m_another})
+        buttons->addWidget(one);
+
+    auto *sheets = new PropertyGroup(tr("Facets"), this);
+    SliderField *faces = number(sheets, tr("Faces, at most"), "facetFaces",
+                                {int(kFewestFaces), kFacesSlid, int(kMostFacets)}, &m_faces);
+    QPushButton *facets =
+        button(tr("Make facets"), "makeFacets",
+               tr("Builds it of flat sheets with fingers along their edges. The mesh is simplified "
+                  "first; faces that lie flat together are one sheet."));
+    connect(facets, &QPushButton::clicked, this, [this, faces] {
+        faces->settle();
+        Q_EMIT facetsWanted(m_faces);
+    });
+
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kButtonGap);
+    column->addWidget(sections);
+    column->addLayout(buttons);
+    column->addWidget(sheets);
+    column->addWidget(facets);
+    refresh(false, false);
+}
+
+QPushButton *MakingGroup::button(const QString &text, const char *name, const QString &tip)
+{
+    auto *made = new QPushButton(text, this);
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    made->setAutoDefault(false);
+    return made;
+}
+
+SliderField *MakingGroup::number(PropertyGroup *group, const QString &name, const char *id,
+                                 const Numbers &numbers, int *kept)
+{
+    auto *field =
+        new NumberEdit({double(numbers.least), double(numbers.most), 1.0, 0, 0}, QString());
+    field->setFixedWidth(kNumberField);
+    auto *slider =
+        new SliderField({double(numbers.least), double(numbers.slid), 1.0, 4}, field, group);
+    slider->setNames((QByteArray(id) + "Slider").constData(),
+                     (QByteArray(id) + ".field").constData());
+    slider->setNumber(*kept);
+    const auto keep = [kept](double value) { *kept = static_cast<int>(std::lround(value)); };
+    connect(slider, &SliderField::dragged, this, keep);
+    connect(slider, &SliderField::settled, this, keep);
+    group->add(new EditorRow(name, id, slider, {}, group));
+    return slider;
+}
+
+void MakingGroup::refresh(bool hasSections, bool hasLast)
+{
+    m_more->setEnabled(hasSections);
+    m_another->setEnabled(hasLast);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,99 @@
+#include "ui/files/template_maker.h"
+
+#include "core/io/error_text.h"
+#include "core/session/session.h"
+#include "core/session/template_making.h"
+#include "ui/bench/workbench.h"
+#include "ui/files/progress.h"
+
+#include <QUndoStack>
+
+namespace fff::ui {
+
+TemplateMaker::TemplateMaker(QWidget &window, Workbench &bench)
+    : QObject(&window), m_window(window), m_bench(bench)
+{
+}
+
+bool TemplateMaker::isNewest() const
+{
+    const Session &session = m_bench.session();
+    return m_last && session.history()->index() == m_last->step &&
+           session.committed().document.isSame(m_last->document);
+}
+
+TemplateMaker::State TemplateMaker::now() const
+{
+    const Session &session = m_bench.session();
+    return {session.committed(), session.history()->index()};
+}
+
+TemplateMaker::State TemplateMaker::start(TemplateId of) const
+{
+    return isNewest() && m_last->of == of ? m_last->first : now();
+}
+
+void TemplateMaker::suggest(TemplateId of, int count)
+{
+    SuggestionOptions options{count};
+    if (hasSuggestion() && m_last->of == of)
+        options.seed = m_last->options->seed;
+    suggest(of, options, start(of), start(of));
+}
+
+void TemplateMaker::suggestOneMore(TemplateId of)
+{
+    suggest(of, {1}, now(), start(of));
+}
+
+void TemplateMaker::suggestAnother()
+{
+    if (!hasSuggestion())
+        return;
+    ++m_last->options->seed; // the one after it is tried next where this one comes to nothing
+    suggest(m_last->of, *m_last->options, m_last->before, m_last->first);
+}
+
+void TemplateMaker::suggest(TemplateId of, const SuggestionOptions &options, State before,
+                            State first)
+{
+    make(tr("Looking for sections…"), {of, options, std::move(before), std::move(first), 0, {}},
+         [of, options](const Model &model, const LongWork &work) {
+             return suggestedEdit(model, of, options, work);
+         });
+}
+
+void TemplateMaker::makeFacets(TemplateId of, int faces)
+{
+    make(tr("Making facets…"), {of, {}, start(of), start(of), 0, {}},
+         [of, faces](const Model &model, const LongWork &work) {
+             return facetEdit(model.document, of, static_cast<std::size_t>(faces), work);
+         });
+}
+
+void TemplateMaker::make(const QString &text, Last last, Work work)
+{
+    std::stop_source stop;
+    const auto made = inBackground<Result<SectionEdit>>(
+        m_window, text, MayCancel::Yes,
+        [work = std::move(work), model = last.before.model, token = stop.get_token()] {
+            return work(model, {token, {}});
+        });
+    if (!made) {
+        stop.request_stop();
+        return;
+    }
+    if (!*made) {
+        Q_EMIT failed(io::errorText(made->error()));
+        return;
+    }
+    if (const SectionEdit &edit = **made) {
+        m_bench.session().history()->setIndex(last.before.step);
+        last.step = last.before.step + 1;
+        last.document = edit->document;
+        m_last = std::move(last); // before the commit, after which everybody asks
+    }
+    m_bench.editSections(**made);
+}
+
+} // namespace fff::ui
