@@ -57,6 +57,8 @@ std::vector<CutPiece> piecesOf(const std::vector<TemplateLoop> &loops, double ch
         if (!contour)
             continue;
         all.push_back(*contour);
+        // Shells that share vertices have loops that run over into each other.
+        mayMeet = mayMeet || !isPlain(*contour, {}, chord);
         if (!loops[i].isHole) {
             const Box2 box = contour->bounds();
             for (const Box2 &other : boxes)
