@@ -72,6 +72,7 @@ target_sources(fff_core PRIVATE
     analysis/verdicts.cpp
     analysis/weak_place.cpp
     analysis/suggesting/form_samples.cpp
+    analysis/suggesting/main_faces.cpp
     analysis/suggesting/point_buckets.cpp
     analysis/suggesting/suggested_base.cpp
     analysis/suggesting/suggested_cut.cpp

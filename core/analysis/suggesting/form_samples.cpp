@@ -121,26 +121,33 @@ std::vector<Vec3> outlineSeen(const std::vector<Vec3> &positions,
     return pixels.outline();
 }
 
+struct SurfaceSpread
+{
+    std::vector<Vec3> points, normals;
+    double area = 0.0; // mm²
+};
+
 /// So many points, spread evenly: at equal steps of the area, and within a triangle by the
 /// fractions of multiples of two numbers.
 /// Source  M. Roberts 2018, The unreasonable effectiveness of quasirandom sequences (R2).
-std::vector<Vec3> spreadOver(const std::vector<Vec3> &positions,
-                             const std::vector<Triangle> &triangles, int count, double &area)
+SurfaceSpread spreadOver(const std::vector<Vec3> &positions, const std::vector<Triangle> &triangles,
+                         int count)
 {
-    const auto areaOf = [&](const Triangle &t) {
+    const auto across = [&](const Triangle &t) -> Vec3 {
         const Vec3 &a = positions[t[0]];
-        return 0.5 * (positions[t[1]] - a).cross(positions[t[2]] - a).norm();
+        return 0.5 * (positions[t[1]] - a).cross(positions[t[2]] - a);
     };
-    area = 0.0;
+    SurfaceSpread spread;
     for (const Triangle &t : triangles)
-        area += areaOf(t);
-    std::vector<Vec3> points;
+        spread.area += across(t).norm();
+    std::vector<Vec3> &points = spread.points;
     double passed = 0.0;
     constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
     for (const Triangle &t : triangles) {
-        passed += areaOf(t);
+        const Vec3 normal = across(t);
+        passed += normal.norm();
         while (static_cast<int>(points.size()) < count &&
-               passed * count >= (static_cast<double>(points.size()) + 0.5) * area) {
+               passed * count >= (static_cast<double>(points.size()) + 0.5) * spread.area) {
             double whole = 0.0;
             const auto n = static_cast<double>(points.size());
             double u = std::modf(n * kFirst, &whole), v = std::modf(n * kSecond, &whole);
@@ -150,9 +157,10 @@ std::vector<Vec3> spreadOver(const std::vector<Vec3> &positions,
             }
             const Vec3 &a = positions[t[0]];
             points.push_back(a + u * (positions[t[1]] - a) + v * (positions[t[2]] - a));
+            spread.normals.push_back(normal.stableNormalized());
         }
     }
-    return points;
+    return spread;
 }
 
 /// 1 up to `near`, 0 from `far` times that on.
@@ -192,10 +200,10 @@ Result<FormSamples> FormSamples::of(const std::vector<Vec3> &positions,
         samples.m_views.push_back(std::move(view));
         work.tell(static_cast<double>(i + 1) / kViews);
     }
-    double area = 0.0;
-    samples.m_surface = PointBuckets(spreadOver(positions, triangles, kSurfaceSamples, area),
-                                     kFarSurface * samples.m_nearSurface);
-    samples.m_spacing = std::sqrt(area / kSurfaceSamples);
+    SurfaceSpread spread = spreadOver(positions, triangles, kSurfaceSamples);
+    samples.m_surface = PointBuckets(std::move(spread.points), kFarSurface * samples.m_nearSurface);
+    samples.m_faces = mainFaces(spread.normals);
+    samples.m_spacing = std::sqrt(spread.area / kSurfaceSamples);
     samples.m_firstOfSurface = first;
     samples.m_weights.assign(first, kOutlineWeight / std::max<std::uint32_t>(first, 1));
     const std::size_t onSurface = samples.surface().size();

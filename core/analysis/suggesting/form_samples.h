@@ -2,6 +2,7 @@
 // surface; and how much of that a section shows.
 #pragma once
 
+#include "core/analysis/suggesting/main_faces.h"
 #include "core/analysis/suggesting/point_buckets.h"
 #include "core/base/long_work.h"
 #include "core/base/result.h"
@@ -24,6 +25,7 @@ public:
     std::size_t size() const { return m_weights.size(); }
     /// Of the surface, spread evenly over it, world, mm.
     const std::vector<Vec3> &surface() const { return m_surface.points(); }
+    const std::vector<MainFace> &faces() const { return m_faces; }
     /// Of the mesh, its largest extent, mm.
     double meshSize() const { return m_meshSize; }
     /// Distance between neighbours among these, about, mm.
@@ -55,6 +57,7 @@ private:
 
     std::vector<View> m_views;
     PointBuckets m_surface;
+    std::vector<MainFace> m_faces;
     std::uint32_t m_firstOfSurface = 0;
     std::vector<double> m_weights;
     double m_meshSize = 1.0, m_spacing = 1.0, m_step = 1.0, m_nearOutline = 1.0,

@@ -19,9 +19,13 @@ struct PlaneFamily
     Vec3 normal = Vec3::UnitX();
     int count = 0;
     double preference = 1.0;
+    double symmetryPreference = 1.0; // of the plane of symmetry in it
 };
 
 constexpr double kSymmetryPreference = 1.3, kAxisPreference = 1.08;
+/// What flat faces of a form take from planes that are parallel to none of them, for each share of
+/// the surface that they are: of a cube the diagonals are planes of symmetry, too, and larger.
+constexpr double kLossAskew = 0.5;
 /// Of directions between the axes, seen from above.
 constexpr double kAngleStep = std::numbers::pi / 12.0;
 /// By so much, radians, the seed turns these to either side.
@@ -66,23 +70,36 @@ std::vector<Vec3> formAxes(const std::vector<Vec3> &points, bool isSeenFromAbove
 class FamilyList
 {
 public:
+    explicit FamilyList(const std::vector<MainFace> &faces)
+    {
+        constexpr double kLies = 0.7; // sine of what rather lies than stands
+        for (const MainFace &face : faces) {
+            const bool lies = std::abs(face.normal.y()) > kLies;
+            add(face.normal, lies ? kAcrossHeight : kAcrossAxis, kAxisPreference);
+            m_askew -= kLossAskew * face.share;
+        }
+        m_areFaces = false;
+    }
     /// Unless there is one across nearly that direction.
     void add(const Vec3 &normal, int count, double preference)
     {
         for (const PlaneFamily &known : m_all)
             if (known.normal.cross(normal).norm() < std::sin(kSameFamily))
                 return;
-        m_all.push_back({normal, count, preference});
+        const double share = m_areFaces ? 1.0 : m_askew;
+        m_all.push_back({normal, count, share * preference, share * kSymmetryPreference});
     }
     const std::vector<PlaneFamily> &all() const { return m_all; }
 
 private:
     std::vector<PlaneFamily> m_all;
+    bool m_areFaces = true; // that are added
+    double m_askew = 1.0;   // what planes count that are parallel to none
 };
 
 std::vector<PlaneFamily> planeFamilies(const FormSamples &samples, Seeded &dice)
 {
-    FamilyList families;
+    FamilyList families(samples.faces());
     families.add(Vec3::UnitX(), kAcrossAxis, kAxisPreference);
     families.add(Vec3::UnitZ(), kAcrossAxis, kAxisPreference);
     families.add(Vec3::UnitY(), kAcrossHeight, kAxisPreference);
@@ -157,7 +174,7 @@ std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
         const double through = family.normal.dot(middle), half = 0.5 * (low + high);
         for (const double offset : {through, half})
             if (isSymmetricAbout(family.normal, offset, samples)) {
-                planes.push_back({family.normal, offset, kSymmetryPreference});
+                planes.push_back({family.normal, offset, family.symmetryPreference});
                 break;
             }
     }
