@@ -6671,6 +6671,11 @@
         <extracomment>%1 is the name of a template, %2 a length</extracomment>
         <translation>%1 wurde um %2 in den Boden abgesenkt, damit die Scheiben auf flachem Fuß stehen.</translation>
     </message>
+    <message>
+        <source>%1 was lowered into the ground by %2, and its sections have feet up to %3 high, so that they stand.</source>
+        <extracomment>%1 is the name of a template, %2 and %3 are lengths</extracomment>
+        <translation>%1 wurde um %2 in den Boden abgesenkt, und die Scheiben haben bis zu %3 hohe Füße, damit sie stehen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>

@@ -76,6 +76,7 @@ target_sources(fff_core PRIVATE
     analysis/suggesting/point_buckets.cpp
     analysis/suggesting/suggested_base.cpp
     analysis/suggesting/suggested_cut.cpp
+    analysis/suggesting/suggested_ground.cpp
     analysis/suggesting/suggested_group.cpp
     analysis/suggesting/suggested_planes.cpp
     analysis/suggesting/suggestion.cpp

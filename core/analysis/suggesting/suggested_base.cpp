@@ -9,7 +9,7 @@ namespace fff {
 
 namespace {
 
-/// Of the height that is cut off at the ground.
+/// Of the height that is cut off at the ground, or filled up there.
 constexpr double kGroundShares[] = {0.0,   0.004, 0.009, 0.015, 0.022, 0.031,
                                     0.042, 0.056, 0.075, 0.1,   0.14,  0.2};
 /// What a base has to show more for being cut off at all, and for each share of the height.
@@ -22,7 +22,7 @@ struct BaseTry
 {
     std::vector<std::size_t> cuts;
     double score = 0.0; // what they show
-    double ground = 0.0;
+    SuggestedGround ground = {};
 
     /// As of two: more of them show more, but so they would after two.
     double worth() const { return 2.0 * score / static_cast<double>(cuts.size()); }
@@ -48,13 +48,13 @@ public:
     }
 
     /// The best that stand on this ground, of as few cuts as do.
-    std::vector<BaseTry> standingOn(double ground)
+    std::vector<BaseTry> standingOn(double level, double filled)
     {
         std::vector<BaseTry> tries = m_firsts;
         for (std::size_t size = 2; size <= kMostInBase; ++size) {
             std::vector<BaseTry> standing, others;
             for (const BaseTry &one : tries)
-                extend(one, ground, standing, others);
+                extend(one, level, filled, standing, others);
             for (const auto *all : {&standing, &others})
                 for (const BaseTry &one : *all)
                     m_best = std::max(m_best, one.worth());
@@ -73,7 +73,7 @@ public:
 
 private:
     /// With each cut that fits and comes later or earlier in the list.
-    void extend(const BaseTry &from, double ground, std::vector<BaseTry> &standing,
+    void extend(const BaseTry &from, double level, double filled, std::vector<BaseTry> &standing,
                 std::vector<BaseTry> &others) const
     {
         if (m_stop.stop_requested())
@@ -92,7 +92,7 @@ private:
             BaseTry next = from;
             next.cuts.push_back(i);
             next.score += m_cuts[i].preference * shown.gainOf(m_cuts[i].shown);
-            const Stability stability = group.stabilityWith(m_cuts[i], ground);
+            const auto [stability, ground] = group.stoodWith(m_cuts[i], level, filled);
             next.ground = ground;
             const bool stands = stability.standing == Standing::Stands &&
                                 stability.tipAngle > kSpareTilt * kSteadyTilt;
@@ -145,7 +145,8 @@ suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, 
         // Deeper in the ground none can be better any more.
         if (stop.stop_requested() || (best > 0.0 && best > search.best() - lossOn(share)))
             break;
-        for (BaseTry &one : search.standingOn(lowest + share * height)) {
+        const double sunk = std::min(share * height, kNearOutline * samples.meshSize());
+        for (BaseTry &one : search.standingOn(lowest + sunk, share * height - sunk)) {
             one.score = one.worth() - lossOn(share);
             best = std::max(best, one.score);
             found.push_back(std::move(one));

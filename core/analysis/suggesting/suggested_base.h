@@ -15,13 +15,13 @@ namespace fff {
 struct SuggestedBase
 {
     std::vector<std::size_t> cuts; // in the order in which they come
-    double ground = 0.0;           // Y, world, mm, below which the template is to be cut off
+    SuggestedGround ground;        // that they stand on
 };
 
 inline constexpr std::size_t kMostInBase = 4;
 
-/// Two cuts where two stand, three or four where it takes these, of those that show most; cut off
-/// at the ground as little as lets them stand steadily.
+/// Two cuts where two stand, three or four where it takes these, of those that show most; on as
+/// little ground as lets them stand steadily, first cut off by what is not seen, then on feet.
 ///
 /// lowest, height  of the template, Y and mm
 /// allowsWeak  cuts that leave thin walls beside slits will do (SuggestedGroup::Fit::Weak)

@@ -137,6 +137,27 @@ std::vector<SuggestedCut> cutsOn(const SuggestedPlane &plane, const Template &on
     return cuts;
 }
 
+/// With the feet that it has on this ground.
+Result<ShapePointer> footed(const Frame &frame, ClippedPiece piece, const SuggestedGround &ground)
+{
+    Region region{piece.outer.polygon(kCutChord), {}};
+    for (const Contour &hole : piece.holes)
+        region.holes.push_back(hole.polygon(kCutChord));
+    const std::vector<SuggestedFoot> feet = feetOn(ground, frame, region);
+    if (feet.empty())
+        return Shape::make(std::move(piece.outer), std::move(piece.holes));
+    std::vector<Contour> all = std::move(piece.holes);
+    all.push_back(std::move(piece.outer));
+    for (const SuggestedFoot &foot : feet)
+        all.push_back(Contour::ofPolygon(foot.outline()));
+    Result<std::vector<CurvedRegion>> whole = windingRegions(all, WindingRule::NonZero, kCutChord);
+    if (!whole)
+        return tl::unexpected(std::move(whole.error()));
+    if (whole->empty())
+        return failure(ErrorCode::EmptyContour);
+    return Shape::make(std::move(whole->front().outer), std::move(whole->front().holes));
+}
+
 } // namespace
 
 std::vector<Vec3> pointsAlong(const Frame &frame, const Region &region, double step)
@@ -177,7 +198,8 @@ Result<std::vector<SuggestedCut>> suggestedCuts(const Template &one,
     return cuts;
 }
 
-Result<ShapePointer> shapeOf(const SuggestedCut &cut, const Template &one, double ground)
+Result<ShapePointer> shapeOf(const SuggestedCut &cut, const Template &one,
+                             const SuggestedGround &ground)
 {
     const auto fitted = [](const TemplateLoop &loop) -> std::optional<Contour> {
         Result<Contour> contour = curveOf(loop);
@@ -203,13 +225,14 @@ Result<ShapePointer> shapeOf(const SuggestedCut &cut, const Template &one, doubl
     constexpr double kLevel = 1e-6; // sine: the plane lies
     if (up.norm() < kLevel)
         return Shape::make(best->outer, best->holes);
-    const Halfplane above{up / up.squaredNorm() * (ground - cut.frame.origin.y()), up.normalized()};
+    const Halfplane above{up / up.squaredNorm() * (ground.level - cut.frame.origin.y()),
+                          up.normalized()};
     Result<std::vector<ClippedPiece>> left = clip(best->outer, best->holes, above);
     if (!left)
         return tl::unexpected(std::move(left.error()));
     if (left->empty())
         return failure(ErrorCode::EmptyContour);
-    return Shape::make(std::move(left->front().outer), std::move(left->front().holes));
+    return footed(cut.frame, std::move(left->front()), ground);
 }
 
 SuggestedCut cutOfSection(const Section &section, double error)

@@ -1,6 +1,7 @@
 // The loops in which planes cut a template, as what may become sections.
 #pragma once
 
+#include "core/analysis/suggesting/suggested_ground.h"
 #include "core/analysis/suggesting/suggested_planes.h"
 #include "core/geometry/frame.h"
 #include "core/geometry/polygon.h"
@@ -31,9 +32,11 @@ Result<std::vector<SuggestedCut>> suggestedCuts(const Template &one,
                                                 const FormSamples &samples, double leastArea,
                                                 const LongWork &work);
 
-/// The contour that follows the template, without what is below `ground` (world, mm). Errors
-/// EmptyContour where nothing of it stays, those of curveOf(), clip() and Shape::make().
-Result<ShapePointer> shapeOf(const SuggestedCut &cut, const Template &one, double ground);
+/// The contour that follows the template, without what is below the ground, and with feet on it.
+/// Errors  EmptyContour where nothing of it stays, those of curveOf(), clip(), windingRegions() and
+/// Shape::make().
+Result<ShapePointer> shapeOf(const SuggestedCut &cut, const Template &one,
+                             const SuggestedGround &ground);
 
 /// Of a section that is there, within `error` mm.
 SuggestedCut cutOfSection(const Section &section, double error);

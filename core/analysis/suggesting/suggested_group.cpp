@@ -1,5 +1,6 @@
 #include "core/analysis/suggesting/suggested_group.h"
 
+#include "core/analysis/findings/standing.h"
 #include "core/assembly/intervals.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/segment_distance.h"
@@ -66,24 +67,29 @@ bool isFramed(const PlaneLine &line, double from, double to, const Region &regio
     return true;
 }
 
-/// Where the ground carries a section, (x, z), once all below it is cut off.
-void addFeet(const SuggestedCut &cut, double ground, double thickness, std::vector<Vec2> &corners)
+/// Where the ground carries a section, (x, z), once all below it is cut off and its feet are there.
+void addFeet(const SuggestedCut &cut, const SuggestedGround &ground, double thickness,
+             std::vector<Vec2> &corners)
 {
-    const Vec2 up = cut.frame.directionToLocal(Vec3::UnitY());
-    constexpr double kUpright = 0.2; // sine: what lies flatter has no feet to speak of
-    if (up.norm() < kUpright)
+    if (cut.frame.directionToLocal(Vec3::UnitY()).norm() < kUprightSine)
         return;
-    const PlaneLine line{up / up.squaredNorm() *
-                             (ground + kFootLook * thickness - cut.frame.origin.y()),
-                         -perpendicular(up).normalized()};
     const Vec3 normal = cut.frame.normal();
     const Vec2 across = 0.5 * thickness * Vec2(normal.x(), normal.z());
-    for (const Interval &interval : intervalsOn(line, cut.region))
-        for (const double at : {interval.from.at, interval.to.at}) {
-            const Vec3 p = cut.frame.toWorld(line.at(at));
-            corners.emplace_back(p.x() + across.x(), p.z() + across.y());
-            corners.emplace_back(p.x() - across.x(), p.z() - across.y());
-        }
+    const auto add = [&](const Vec2 &end) {
+        const Vec3 p = cut.frame.toWorld(end);
+        corners.emplace_back(p.x() + across.x(), p.z() + across.y());
+        corners.emplace_back(p.x() - across.x(), p.z() - across.y());
+    };
+    const LevelLine low = levelLine(cut.frame, ground.level + kFootLook * thickness);
+    const PlaneLine line{low.point, low.direction};
+    for (const Interval &interval : intervalsOn(line, cut.region)) {
+        add(line.at(interval.from.at));
+        add(line.at(interval.to.at));
+    }
+    for (const SuggestedFoot &foot : feetOn(ground, cut.frame, cut.region)) {
+        add(foot.from);
+        add(foot.to);
+    }
 }
 
 } // namespace
@@ -181,30 +187,46 @@ void SuggestedGroup::add(const SuggestedCut &cut)
     m_members.push_back(std::move(member));
 }
 
-Stability SuggestedGroup::stability(double ground) const
+Vec3 SuggestedGroup::centreOfMass() const
 {
-    GroundContact contact;
     double area = 0.0;
     Vec3 centre = Vec3::Zero();
+    for (const Member &member : m_members) {
+        area += member.cut->area;
+        centre += member.cut->area * member.cut->centre;
+    }
+    return area > 0.0 ? Vec3(centre / area) : centre;
+}
+
+SuggestedGround SuggestedGroup::groundAt(double level, double filled) const
+{
+    const Vec3 centre = centreOfMass();
+    // Feet of two sections across each other reach to the corners of a square.
+    constexpr double kToCorners = 1.5;
+    const double around = kToCorners * std::tan(kSteadyTilt) * (centre.y() - level);
+    return {level, filled, {centre.x(), centre.z()}, std::max(0.0, around)};
+}
+
+Stability SuggestedGroup::stability(const SuggestedGround &ground) const
+{
+    GroundContact contact;
     Box3 box;
     for (const Member &member : m_members) {
         addFeet(*member.cut, ground, m_thickness, contact.corners);
-        area += member.cut->area;
-        centre += member.cut->area * member.cut->centre;
         box.extend(member.box);
     }
     contact.stretches = static_cast<int>(contact.corners.size() / 4);
-    if (area > 0.0)
-        centre /= area;
-    return fff::stability(contact, centre - ground * Vec3::UnitY(), m_thickness,
+    return fff::stability(contact, centreOfMass() - ground.level * Vec3::UnitY(), m_thickness,
                           box.size().maxCoeff());
 }
 
-Stability SuggestedGroup::stabilityWith(const SuggestedCut &cut, double ground) const
+SuggestedGroup::Stood SuggestedGroup::stoodWith(const SuggestedCut &cut, double level,
+                                                double filled) const
 {
     SuggestedGroup both(*this);
     both.m_members.push_back({&cut, boxOf(cut, m_thickness), {}});
-    return both.stability(ground);
+    const SuggestedGround ground = both.groundAt(level, filled);
+    return {both.stability(ground), ground};
 }
 
 } // namespace fff

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/suggesting/suggested_cut.h"
+#include "core/analysis/suggesting/suggested_ground.h"
 #include "core/assembly/stability.h"
 
 #include <optional>
@@ -30,10 +31,15 @@ public:
     void add(const SuggestedCut &cut);
 
     std::size_t size() const { return m_members.size(); }
-    /// How it stands when all below `ground` (world, mm) is cut off.
-    Stability stability(double ground) const;
-    /// The same with one more, without looking at whether that fits.
-    Stability stabilityWith(const SuggestedCut &cut, double ground) const;
+    struct Stood
+    {
+        Stability stability;
+        SuggestedGround ground; // with feet in so wide a circle that it stands steadily
+    };
+    /// How it stands with one more, without looking at whether that fits, when all below `level`
+    /// (world, mm) is cut off, and what comes no lower than `filled` mm above that is filled up
+    /// where that helps.
+    Stood stoodWith(const SuggestedCut &cut, double level, double filled) const;
 
 private:
     struct Segment
@@ -62,6 +68,9 @@ private:
     bool crossOne(const SuggestedCut &cut, const Box3 &box, std::size_t member,
                   Crossings &found) const;
     bool liesAlong(const SuggestedCut &cut, const SuggestedCut &other) const;
+    Vec3 centreOfMass() const;
+    SuggestedGround groundAt(double level, double filled) const;
+    Stability stability(const SuggestedGround &ground) const;
 
     double m_thickness;
     std::vector<Member> m_members;

@@ -61,6 +61,10 @@ constexpr Text kLowered =
     //: %1 is the name of a template, %2 a length
     FFF_TEXT("Suggestion",
              "%1 was lowered into the ground by %2, so that its sections stand on a flat foot.");
+constexpr Text kFooted =
+    //: %1 is the name of a template, %2 and %3 are lengths
+    FFF_TEXT("Suggestion", "%1 was lowered into the ground by %2, and its sections have feet up to "
+                           "%3 high, so that they stand.");
 
 Box3 boundsOf(const std::vector<Vec3> &points)
 {
@@ -82,7 +86,7 @@ public:
         for (const Vec3 &p : m_subject->mesh->mesh->positions())
             m_positions.push_back(toWorld(p));
         m_box = boundsOf(m_positions);
-        m_ground = m_box.min.y();
+        m_ground.level = m_box.min.y();
         m_firstNumber = freeNumbers();
     }
 
@@ -95,9 +99,10 @@ private:
     std::vector<SuggestedPlane> planesOf(int round) const;
     std::vector<SuggestedPlane> planesLikeThese() const;
     Result<void> findCuts(const std::vector<SuggestedPlane> &planes, const LongWork &work);
-    Result<NewSection> sectionOf(std::size_t cut, double ground, std::size_t number) const;
-    SuggestionJudge::Verdict take(const std::vector<std::size_t> &cuts, double ground,
-                                  bool allowsThinWalls);
+    Result<NewSection> sectionOf(std::size_t cut, const SuggestedGround &ground,
+                                 std::size_t number) const;
+    SuggestionJudge::Verdict take(const std::vector<std::size_t> &cuts,
+                                  const SuggestedGround &ground, bool allowsThinWalls);
     bool begin();
     void weaken(std::size_t cut);
     bool addNext();
@@ -109,7 +114,7 @@ private:
     const SuggestionOptions &m_options;
     const LongWork &m_work;
     double m_thickness;
-    double m_ground = 0.0; // mm in the world that are cut off, where the template is now
+    SuggestedGround m_ground; // where the template is now
     std::vector<Vec3> m_positions;
     Box3 m_box;
     std::size_t m_firstNumber = 1; // in the names of those that come
@@ -204,12 +209,13 @@ Result<void> Suggester::findCuts(const std::vector<SuggestedPlane> &planes, cons
     return {};
 }
 
-Result<NewSection> Suggester::sectionOf(std::size_t cut, double ground, std::size_t number) const
+Result<NewSection> Suggester::sectionOf(std::size_t cut, const SuggestedGround &ground,
+                                        std::size_t number) const
 {
     NewSection section;
     section.name = numberedName(m_subject->name, number);
     section.frame = m_cuts[cut].frame;
-    section.frame.origin.y() -= ground - m_box.min.y();
+    section.frame.origin.y() -= ground.level - m_box.min.y();
     Result<ShapePointer> shape = shapeOf(m_cuts[cut], *m_subject, ground);
     if (!shape)
         return tl::unexpected(std::move(shape.error()));
@@ -218,8 +224,8 @@ Result<NewSection> Suggester::sectionOf(std::size_t cut, double ground, std::siz
 }
 
 /// They come to those that are there, or nothing changes.
-SuggestionJudge::Verdict Suggester::take(const std::vector<std::size_t> &cuts, double ground,
-                                         bool allowsThinWalls)
+SuggestionJudge::Verdict Suggester::take(const std::vector<std::size_t> &cuts,
+                                         const SuggestedGround &ground, bool allowsThinWalls)
 {
     using Verdict = SuggestionJudge::Verdict;
     std::vector<NewSection> sections;
@@ -322,8 +328,11 @@ std::vector<Message> Suggester::messages() const
         all.push_back({kFewer, {name}, static_cast<int>(m_sections.size())});
     else if (static_cast<int>(m_sections.size()) > m_options.count)
         all.push_back({kFewest, {name}, static_cast<int>(m_sections.size())});
-    if (!m_sections.empty() && m_ground > m_box.min.y())
-        all.push_back({kLowered, {name, lengthOf(m_ground - m_box.min.y())}});
+    const double lowered = m_ground.level - m_box.min.y();
+    if (!m_sections.empty() && m_ground.filled > 0.0)
+        all.push_back({kFooted, {name, lengthOf(lowered), lengthOf(m_ground.filled)}});
+    else if (!m_sections.empty() && lowered > 0.0)
+        all.push_back({kLowered, {name, lengthOf(lowered)}});
     return all;
 }
 
@@ -332,7 +341,7 @@ Result<Suggestion> Suggester::suggestion() const
     Suggestion made{m_model.document, {}, 0.0, messages()};
     if (m_sections.empty())
         return made;
-    made.lowered = m_ground - m_box.min.y();
+    made.lowered = m_ground.level - m_box.min.y();
     Result<Document> next = addSections(m_model.document, m_sections);
     // The ids are the judge's.
     for (const JointOverridePointer &wanted : m_judge->document().jointOverrides)

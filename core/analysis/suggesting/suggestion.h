@@ -37,7 +37,9 @@ struct Suggestion
 /// walls beside slits.
 ///
 /// The first two (or three, or four) sections are those that show most and stand. What would roll
-/// or tip is cut off flat at the ground, as little as does: the template then sinks by that much.
+/// or tip is cut off flat at the ground, as little as does and never by more than is shown all the
+/// same (kNearOutline): the template then sinks by that much. What needs more has feet where its
+/// sections come near to the ground under the centre of mass.
 /// Sections that are in the model where the template is belong to it: new ones join these, nothing
 /// is lowered, and what they show is not shown again.
 ///
