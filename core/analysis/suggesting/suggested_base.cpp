@@ -15,8 +15,8 @@ constexpr double kGroundShares[] = {0.0,   0.004, 0.009, 0.015, 0.022, 0.031,
 /// What a base has to show more for being cut off at all, and for each share of the height.
 constexpr double kLossOfAny = 0.05, kLossOfGround = 1.2;
 constexpr std::size_t kFirsts = 14, kKept = 8, kAskedEach = 6;
-/// Slits and what is not looked at closely take something of it.
-constexpr double kSpareTilt = 1.04;
+/// How much further than it has to a base may be tilted: those that come move its centre of mass.
+constexpr double kTiltToCome = 1.3;
 
 struct BaseTry
 {
@@ -95,7 +95,7 @@ private:
             const auto [stability, ground] = group.stoodWith(m_cuts[i], level, filled);
             next.ground = ground;
             const bool stands = stability.standing == Standing::Stands &&
-                                stability.tipAngle > kSpareTilt * kSteadyTilt;
+                                stability.tipAngle > kTiltToCome * kSteadyTilt;
             (stands ? standing : others).push_back(std::move(next));
         }
     }

@@ -14,11 +14,15 @@ namespace fff {
 namespace {
 
 // Times the thickness.
-constexpr double kLeastHold = 4.0;     // of an overlap: half of it is a slit
-constexpr double kBetweenSlits = 2.1;  // from the middle of one to that of the next
-constexpr double kBetweenPlanes = 2.1; // the same of sections side by side
+constexpr double kLeastHold = 3.0;     // of an overlap: half of it is a slit
+constexpr double kBetweenSlits = 1.7;  // from the middle of one to that of the next
+constexpr double kBetweenPlanes = 1.7; // the same of sections side by side
 constexpr double kFootLook = 0.15;  // above the ground, where what is off by kCutError has its feet
 constexpr double kBesideSlit = 0.6; // from its wall to the edge, or what stays there is weak
+/// What a slit holds by: so far from its walls there is material, over so much of its depth.
+constexpr double kGripBeside = 0.05, kGripDepth = 0.55;
+/// Slits and what is not looked at closely take something of how far it may be tilted.
+constexpr double kSpareTilt = 1.02;
 /// Radians (40°): slits of sections at less get wide.
 constexpr double kLeastAngle = 0.6981317007977318;
 /// Sine: ways that differ by less are one.
@@ -65,6 +69,33 @@ bool isFramed(const PlaneLine &line, double from, double to, const Region &regio
             return false;
     }
     return true;
+}
+
+/// Of a stretch of a slit, how much has material on both of its sides.
+double walled(const PlaneLine &line, double from, double to, const Region &region, double reach)
+{
+    const auto beside = [&](double side) {
+        return intervalsOn({line.point + side * perpendicular(line.direction), line.direction},
+                           region);
+    };
+    double length = 0.0;
+    const std::vector<Interval> left = beside(reach), right = beside(-reach);
+    for (const Interval &a : left)
+        for (const Interval &b : right)
+            length += std::max(0.0, std::min({to, a.to.at, b.to.at}) -
+                                        std::max({from, a.from.at, b.from.at}));
+    return length;
+}
+
+/// Of an overlap one half is the one section's slit and one the other's: whether that is good for
+/// both, one way round or the other. isGood(line, from, to, region)
+template <class IsGood>
+bool areHalvesGood(const PlaneLine &inOne, const Region &one, const PlaneLine &inOther,
+                   const Region &other, double from, double to, IsGood isGood)
+{
+    const double middle = 0.5 * (from + to);
+    return (isGood(inOne, from, middle, one) && isGood(inOther, middle, to, other)) ||
+           (isGood(inOne, middle, to, one) && isGood(inOther, from, middle, other));
 }
 
 /// Where the ground carries a section, (x, z), once all below it is cut off and its feet are there.
@@ -133,9 +164,23 @@ bool SuggestedGroup::crossOne(const SuggestedCut &cut, const Box3 &box, std::siz
                 continue;
             if (to - from < kLeastHold * m_thickness || sine < std::sin(kLeastAngle))
                 return false;
-            found.isWeak = found.isWeak ||
-                           !isFramed(inOther, from, to, other.region, half, beside) ||
-                           !isFramed(inCut, from, to, cut.region, half, beside);
+            const auto areGood = [&](auto isGood) {
+                return areHalvesGood(inOther, other.region, inCut, cut.region, from, to, isGood);
+            };
+            const auto isStrong = [&](const PlaneLine &line, double start, double end,
+                                      const Region &region) {
+                return isFramed(line, start, end, region, half, beside);
+            };
+            const auto isHeld = [&](const PlaneLine &line, double start, double end,
+                                    const Region &region) {
+                return walled(line, start, end, region, half + kGripBeside * m_thickness) >=
+                       kGripDepth * m_thickness;
+            };
+            if (!areGood(isStrong)) {
+                if (!areGood(isHeld))
+                    return false;
+                found.isWeak = true;
+            }
             found.all.push_back({member, {axis->at(from), axis->at(to)}, axis->direction});
         }
     return true;
@@ -202,7 +247,7 @@ SuggestedGround SuggestedGroup::groundAt(double level, double filled) const
 {
     const Vec3 centre = centreOfMass();
     // Feet of two sections across each other reach to the corners of a square.
-    constexpr double kToCorners = 1.5;
+    constexpr double kToCorners = 2.0;
     const double around = kToCorners * std::tan(kSteadyTilt) * (centre.y() - level);
     return {level, filled, {centre.x(), centre.z()}, std::max(0.0, around)};
 }
@@ -220,13 +265,25 @@ Stability SuggestedGroup::stability(const SuggestedGround &ground) const
                           box.size().maxCoeff());
 }
 
-SuggestedGroup::Stood SuggestedGroup::stoodWith(const SuggestedCut &cut, double level,
-                                                double filled) const
+SuggestedGroup SuggestedGroup::with(const SuggestedCut &cut) const
 {
     SuggestedGroup both(*this);
     both.m_members.push_back({&cut, boxOf(cut, m_thickness), {}});
+    return both;
+}
+
+SuggestedGroup::Stood SuggestedGroup::stoodWith(const SuggestedCut &cut, double level,
+                                                double filled) const
+{
+    const SuggestedGroup both = with(cut);
     const SuggestedGround ground = both.groundAt(level, filled);
     return {both.stability(ground), ground};
+}
+
+bool SuggestedGroup::isSteadyWith(const SuggestedCut &cut, const SuggestedGround &ground) const
+{
+    const Stability stability = with(cut).stability(ground);
+    return stability.standing == Standing::Stands && stability.tipAngle > kSpareTilt * kSteadyTilt;
 }
 
 } // namespace fff

@@ -40,6 +40,8 @@ public:
     /// (world, mm) is cut off, and what comes no lower than `filled` mm above that is filled up
     /// where that helps.
     Stood stoodWith(const SuggestedCut &cut, double level, double filled) const;
+    /// Whether it stands steadily with one more on ground that is known.
+    bool isSteadyWith(const SuggestedCut &cut, const SuggestedGround &ground) const;
 
 private:
     struct Segment
@@ -68,6 +70,7 @@ private:
     bool crossOne(const SuggestedCut &cut, const Box3 &box, std::size_t member,
                   Crossings &found) const;
     bool liesAlong(const SuggestedCut &cut, const SuggestedCut &other) const;
+    SuggestedGroup with(const SuggestedCut &cut) const;
     Vec3 centreOfMass() const;
     SuggestedGround groundAt(double level, double filled) const;
     Stability stability(const SuggestedGround &ground) const;

@@ -150,11 +150,11 @@ bool isSymmetricAbout(const Vec3 &normal, double offset, const FormSamples &samp
 }
 
 std::vector<SuggestedPlane> planesAcross(const Vec3 &normal, const std::vector<Vec3> &positions,
-                                         double step, double preference)
+                                         double step, double share, double preference)
 {
     const auto [low, high] = extentAlong(normal, positions);
     std::vector<SuggestedPlane> planes;
-    for (double at = low + 0.5 * step; at < high; at += step)
+    for (double at = low + share * step; at < high; at += step)
         planes.push_back({normal, at, preference});
     return planes;
 }

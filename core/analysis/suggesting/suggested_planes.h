@@ -25,9 +25,10 @@ struct SuggestedPlane
 std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
                                             const FormSamples &samples, std::uint64_t seed);
 
-/// Many across one direction, `step` mm apart, from end to end.
+/// Many across one direction, `step` mm apart, from end to end; the first one at this share of a
+/// step from there.
 std::vector<SuggestedPlane> planesAcross(const Vec3 &normal, const std::vector<Vec3> &positions,
-                                         double step, double preference);
+                                         double step, double share, double preference);
 
 /// Whether the form is the same on both sides of the plane, as far as its samples can tell.
 bool isSymmetricAbout(const Vec3 &normal, double offset, const FormSamples &samples);

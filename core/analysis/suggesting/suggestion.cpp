@@ -8,6 +8,7 @@
 #include "core/operations/seeded.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <deque>
 #include <iterator>
@@ -36,9 +37,9 @@ constexpr double kLikeStep = 1.0, kLeastLikeStep = 0.0125, kLikePreference = 1.8
 /// What leaves thin walls beside slits counts so much less.
 constexpr double kWeakPreference = 0.35;
 /// Planes are looked for anew where those that there are, are used up.
-constexpr int kMostRounds = 4;
+constexpr int kMostRounds = 6;
 /// In so many of these all walls beside slits have to be strong.
-constexpr int kStrongRounds = 2;
+constexpr int kStrongRounds = 3;
 
 constexpr Text kTooSmall =
     //: %1 is the name of a template, %2 a length
@@ -97,7 +98,7 @@ private:
     LongWork part(double from, double to) const;
     Document withoutOthers();
     std::vector<SuggestedPlane> planesOf(int round) const;
-    std::vector<SuggestedPlane> planesLikeThese() const;
+    std::vector<SuggestedPlane> planesLikeThese(int round) const;
     Result<void> findCuts(const std::vector<SuggestedPlane> &planes, const LongWork &work);
     Result<NewSection> sectionOf(std::size_t cut, const SuggestedGround &ground,
                                  std::size_t number) const;
@@ -173,8 +174,11 @@ std::vector<SuggestedPlane> Suggester::planesOf(int round) const
 }
 
 /// Many that are parallel to those that are there: these get in nobody's way.
-std::vector<SuggestedPlane> Suggester::planesLikeThese() const
+std::vector<SuggestedPlane> Suggester::planesLikeThese(int round) const
 {
+    // Those of each round are between those of the rounds before.
+    constexpr double kFirst = 0.5, kGolden = 0.6180339887498949;
+    const double share = std::fmod(kFirst + round * kGolden, 1.0);
     std::vector<Vec3> normals;
     for (const NewSection &section : m_sections) {
         const Vec3 normal = section.frame.normal();
@@ -186,7 +190,8 @@ std::vector<SuggestedPlane> Suggester::planesLikeThese() const
     std::vector<SuggestedPlane> planes;
     const double step = std::max(kLikeStep * m_thickness, kLeastLikeStep * m_samples->meshSize());
     for (const Vec3 &normal : normals)
-        for (const SuggestedPlane &plane : planesAcross(normal, m_positions, step, kLikePreference))
+        for (const SuggestedPlane &plane :
+             planesAcross(normal, m_positions, step, share, kLikePreference))
             planes.push_back(plane);
     return planes;
 }
@@ -300,6 +305,8 @@ bool Suggester::addNext()
             weaken(cut);
         if (m_isWeak[cut] && !m_allowsWeak)
             continue;
+        if (m_before.empty() && !m_group->isSteadyWith(m_cuts[cut], m_ground))
+            continue; // it may, once there is something on the other side
         switch (take({cut}, m_ground, m_isWeak[cut] != 0)) {
         case SuggestionJudge::Verdict::Taken:
             return true;
@@ -381,7 +388,7 @@ Result<Suggestion> Suggester::suggest()
     bool hasBegun = false;
     for (int round = 1; static_cast<int>(m_sections.size()) < m_options.count;) {
         if (!hasBegun ? begin() : addNext()) {
-            if (!hasBegun && !findCuts(planesLikeThese(), {m_work.stop, {}}))
+            if (!hasBegun && !findCuts(planesLikeThese(0), {m_work.stop, {}}))
                 break;
             hasBegun = true;
             m_work.tell(kCut + (1.0 - kCut) * std::min(1.0, static_cast<double>(m_sections.size()) /
@@ -390,8 +397,10 @@ Result<Suggestion> Suggester::suggest()
         }
         m_allowsWeak = round >= kStrongRounds;
         if (round == kMostRounds || m_cuts.empty() || m_work.isStopped() ||
-            !findCuts(planesOf(round++), {m_work.stop, {}}))
+            !findCuts(planesOf(round), {m_work.stop, {}}) ||
+            !findCuts(planesLikeThese(round), {m_work.stop, {}}))
             break;
+        ++round;
     }
     if (m_work.isStopped())
         return failure(ErrorCode::Cancelled);

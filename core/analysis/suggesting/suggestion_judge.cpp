@@ -102,13 +102,21 @@ SuggestionJudge::Verdict SuggestionJudge::take(const std::vector<NewSection> &se
     if (!next)
         return Verdict::Refused;
     std::optional<Faults> faults = faultsOf(*next);
+    const auto isGood = [this](const std::optional<Faults> &one) {
+        return one && one->isNoMoreThan(m_before) && one->thinWalls <= m_before.thinWalls;
+    };
     for (const double side : {1.0, -1.0}) {
-        if (faults || sections.size() > 1 || m_stop.stop_requested())
+        // Who is loose or falls over does so whichever way the slits open.
+        const bool mayHelp = !faults || faults->isNoMoreThan(m_before);
+        if (isGood(faults) || !mayHelp || sections.size() > 1 || m_stop.stop_requested())
             break;
-        if (std::optional<Document> other = slidOnFrom(*next, side)) {
-            faults = faultsOf(*other);
-            if (faults)
-                next = *std::move(other);
+        std::optional<Document> other = slidOnFrom(*next, side);
+        if (!other)
+            continue;
+        const std::optional<Faults> then = faultsOf(*other);
+        if (isGood(then) || (!faults && then)) {
+            faults = then;
+            next = *std::move(other);
         }
     }
     if (!faults || !faults->isNoMoreThan(m_before))
