@@ -3,7 +3,10 @@
 #include "core/analysis/findings/standing.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <queue>
+#include <utility>
 
 namespace fff {
 
@@ -14,7 +17,9 @@ constexpr double kGroundShares[] = {0.0,   0.004, 0.009, 0.015, 0.022, 0.031,
                                     0.042, 0.056, 0.075, 0.1,   0.14,  0.2};
 /// What a base has to show more for being cut off at all, and for each share of the height.
 constexpr double kLossOfAny = 0.05, kLossOfGround = 1.2;
-constexpr std::size_t kFirsts = 14, kKept = 8, kAskedEach = 6;
+constexpr std::size_t kFirsts = 14, kKept = 8, kAskedEach = 8;
+/// Of so many bases is looked at what may follow them, so many sections in all.
+constexpr std::size_t kLookedAhead = 16, kAhead = 14;
 /// How much further than it has to a base may be tilted: those that come move its centre of mass.
 constexpr double kTiltToCome = 1.3;
 
@@ -23,6 +28,7 @@ struct BaseTry
     std::vector<std::size_t> cuts;
     double score = 0.0; // what they show
     SuggestedGround ground = {};
+    double loss = 0.0; // for that
 
     /// As of two: more of them show more, but so they would after two.
     double worth() const { return 2.0 * score / static_cast<double>(cuts.size()); }
@@ -66,6 +72,8 @@ public:
         }
         return {};
     }
+    /// What it shows together with those that may follow, so far as a quick look can tell.
+    double shownAhead(const BaseTry &base) const;
     /// Of all that were looked at, whether they stand or not.
     double best() const { return m_best; }
 
@@ -109,6 +117,35 @@ private:
     double m_best = 0.0;
 };
 
+double BaseSearch::shownAhead(const BaseTry &base) const
+{
+    SuggestedGroup group(m_thickness);
+    ShownForm shown(m_samples);
+    double all = 0.0;
+    const auto take = [&](std::size_t cut) {
+        all += shown.gainOf(m_cuts[cut].shown);
+        group.add(m_cuts[cut]);
+        shown.add(m_cuts[cut].shown);
+    };
+    for (const std::size_t cut : base.cuts)
+        take(cut);
+    using Bound = std::pair<double, std::size_t>; // at most what it shows
+    std::priority_queue<Bound> open;
+    for (std::size_t i = 0; i < m_cuts.size(); ++i)
+        open.emplace(m_cuts[i].preference * shown.gainOf(m_cuts[i].shown), i);
+    while (!open.empty() && group.size() < kAhead && !m_stop.stop_requested()) {
+        const std::size_t cut = open.top().second;
+        open.pop();
+        const double gain = m_cuts[cut].preference * shown.gainOf(m_cuts[cut].shown);
+        if (!open.empty() && gain < open.top().first)
+            open.emplace(gain, cut);
+        else if (group.fitOf(m_cuts[cut]) == SuggestedGroup::Fit::Fits &&
+                 group.isSteadyWith(m_cuts[cut], base.ground))
+            take(cut);
+    }
+    return all;
+}
+
 void BaseSearch::keepBest(std::vector<BaseTry> &tries, std::size_t count)
 {
     std::stable_sort(tries.begin(), tries.end(),
@@ -147,13 +184,22 @@ suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, 
             break;
         const double sunk = std::min(share * height, kNearOutline * samples.meshSize());
         for (BaseTry &one : search.standingOn(lowest + sunk, share * height - sunk)) {
-            one.score = one.worth() - lossOn(share);
+            one.loss = lossOn(share);
+            one.score = one.worth() - one.loss;
             best = std::max(best, one.score);
             found.push_back(std::move(one));
         }
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const BaseTry &a, const BaseTry &b) { return a.score > b.score; });
+    const auto sort = [](auto from, auto to) {
+        std::stable_sort(from, to,
+                         [](const BaseTry &a, const BaseTry &b) { return a.score > b.score; });
+    };
+    sort(found.begin(), found.end());
+    const auto looked =
+        found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kLookedAhead));
+    for (auto one = found.begin(); one != looked; ++one)
+        one->score = search.shownAhead(*one) - one->loss;
+    sort(found.begin(), looked);
     for (const BaseTry &one : found) {
         if (stop.stop_requested())
             break;
