@@ -8,7 +8,7 @@ namespace fff {
 
 namespace {
 
-constexpr int kViews = 12;
+constexpr int kAround = 12, kViews = kAround + 2;
 /// Pixels over the size of the mesh.
 constexpr double kPixels = 254.0;
 constexpr int kSurfaceSamples = 3000;
@@ -17,11 +17,14 @@ constexpr double kOutlineWeight = 0.7;
 /// Shown by nothing from so many times the near distance on.
 constexpr double kFarOutline = 4.0, kFarSurface = 2.5;
 
-/// Spread evenly over the upper half of all directions: a lower one shows the same outline.
+/// Spread evenly over the upper half of all directions, since a lower one shows the same outline;
+/// and from the side and the front, from where people look first.
 /// Source  R. Swinbank, R. Purser 2006, Fibonacci grids, Q. J. R. Meteorol. Soc. 132.
 Vec3 viewDirection(int index)
 {
-    const double height = (index + 0.5) / kViews;
+    if (index >= kAround)
+        return index == kAround ? Vec3::UnitX() : Vec3::UnitZ();
+    const double height = (index + 0.5) / kAround;
     const double around = index * std::numbers::pi * (3.0 - std::sqrt(5.0));
     const double radius = std::sqrt(1.0 - height * height);
     return {radius * std::cos(around), height, radius * std::sin(around)};
