@@ -204,8 +204,8 @@ Result<FormSamples> FormSamples::of(const std::vector<Vec3> &positions,
         work.tell(static_cast<double>(i + 1) / kViews);
     }
     SurfaceSpread spread = spreadOver(positions, triangles, kSurfaceSamples);
+    samples.m_faces = mainFaces(spread.points, spread.normals, samples.m_nearOutline);
     samples.m_surface = PointBuckets(std::move(spread.points), kFarSurface * samples.m_nearSurface);
-    samples.m_faces = mainFaces(spread.normals);
     samples.m_spacing = std::sqrt(spread.area / kSurfaceSamples);
     samples.m_firstOfSurface = first;
     samples.m_weights.assign(first, kOutlineWeight / std::max<std::uint32_t>(first, 1));

@@ -160,7 +160,8 @@ std::vector<SuggestedPlane> planesAcross(const Vec3 &normal, const std::vector<V
 }
 
 std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
-                                            const FormSamples &samples, std::uint64_t seed)
+                                            const FormSamples &samples, double within,
+                                            std::uint64_t seed)
 {
     Seeded dice(seed, "planes");
     const Vec3 middle = middleOf(samples.surface());
@@ -178,6 +179,10 @@ std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
                 break;
             }
     }
+    for (const MainFace &face : samples.faces())
+        for (const MainFace::Place &place : face.places)
+            planes.push_back({face.normal, place.offset + (place.looksAlong ? -within : within),
+                              kAxisPreference});
     return planes;
 }
 

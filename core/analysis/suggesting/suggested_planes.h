@@ -18,12 +18,15 @@ struct SuggestedPlane
 
 /// Planes across the axes of the world and those of the form (of its surface, seen from above and
 /// in space), at angles between these, and those about which it is symmetric; of each direction
-/// several, spread evenly from end to end. The seed shifts them and turns what is at no axis.
-/// positions  of the mesh's vertices, world, mm; not empty
-/// Source     that planes of symmetry and across axes tell people what a form is: J. McCrae, K.
+/// several, spread evenly from end to end; and those just within main faces, whose edges are what
+/// is seen of them. The seed shifts them and turns what is at no axis. positions  of the mesh's
+/// vertices, world, mm; not empty within     mm, from a main face, so that there is material beside
+/// a slit Source     that planes of symmetry and across axes tell people what a form is: J. McCrae,
+/// K.
 ///            Singh, N. Mitra 2011, Slices: a shape-proxy based on planar sections.
 std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
-                                            const FormSamples &samples, std::uint64_t seed);
+                                            const FormSamples &samples, double within,
+                                            std::uint64_t seed);
 
 /// Many across one direction, `step` mm apart, from end to end; the first one at this share of a
 /// step from there.

@@ -34,6 +34,8 @@ constexpr double kWhim = 0.1;
 /// Of planes that are parallel to the first ones: times the thickness, of the size; by how much
 /// they are preferred.
 constexpr double kLikeStep = 1.0, kLeastLikeStep = 0.0125, kLikePreference = 1.8;
+/// Times the thickness: a plane so far within a flat face leaves strong walls beside its slits.
+constexpr double kWithinFace = 1.2;
 /// What leaves thin walls beside slits counts so much less.
 constexpr double kWeakPreference = 0.35;
 /// Planes are looked for anew where those that there are, are used up.
@@ -170,7 +172,8 @@ Document Suggester::withoutOthers()
 std::vector<SuggestedPlane> Suggester::planesOf(int round) const
 {
     const auto shift = 0x9e3779b97f4a7c15ull * static_cast<std::uint64_t>(round);
-    return suggestedPlanes(m_positions, *m_samples, m_options.seed + shift);
+    return suggestedPlanes(m_positions, *m_samples, kWithinFace * m_thickness,
+                           m_options.seed + shift);
 }
 
 /// Many that are parallel to those that are there: these get in nobody's way.
