@@ -143,6 +143,11 @@ double BaseSearch::shownAhead(const BaseTry &base) const
                  group.isSteadyWith(m_cuts[cut], base.ground))
             take(cut);
     }
+    // What is preferred counts the same here, but a base that is askew to main faces less: many
+    // that come are parallel to it.
+    constexpr double kAskew = 0.9;
+    for (const std::size_t cut : base.cuts)
+        all *= std::min(1.0, m_cuts[cut].preference / kAskew);
     return all;
 }
 

@@ -23,9 +23,13 @@ struct PlaneFamily
 };
 
 constexpr double kSymmetryPreference = 1.3, kAxisPreference = 1.08;
-/// What flat faces of a form take from planes that are parallel to none of them, for each share of
-/// the surface that they are: of a cube the diagonals are planes of symmetry, too, and larger.
-constexpr double kLossAskew = 0.5;
+/// What planes count that are parallel to no main face, by the share of the surface that these are:
+/// of a cube the diagonals are planes of symmetry, too, and larger, but say little about it.
+double shareAskew(double ofFaces)
+{
+    constexpr double kLoss = 0.5, kLossOfBoxes = 0.4;
+    return 1.0 - kLoss * ofFaces - kLossOfBoxes * ofFaces * ofFaces;
+}
 /// Of directions between the axes, seen from above.
 constexpr double kAngleStep = std::numbers::pi / 12.0;
 /// By so much, radians, the seed turns these to either side.
@@ -70,14 +74,16 @@ std::vector<Vec3> formAxes(const std::vector<Vec3> &points, bool isSeenFromAbove
 class FamilyList
 {
 public:
-    explicit FamilyList(const std::vector<MainFace> &faces)
+    FamilyList(const std::vector<MainFace> &faces, bool allowsAskew) : m_allowsAskew(allowsAskew)
     {
         constexpr double kLies = 0.7; // sine of what rather lies than stands
+        double ofFaces = 0.0;
         for (const MainFace &face : faces) {
             const bool lies = std::abs(face.normal.y()) > kLies;
             add(face.normal, lies ? kAcrossHeight : kAcrossAxis, kAxisPreference);
-            m_askew -= kLossAskew * face.share;
+            ofFaces += face.share;
         }
+        m_askew = shareAskew(ofFaces);
         m_areFaces = false;
     }
     /// Unless there is one across nearly that direction.
@@ -86,6 +92,9 @@ public:
         for (const PlaneFamily &known : m_all)
             if (known.normal.cross(normal).norm() < std::sin(kSameFamily))
                 return;
+        constexpr double kLeastAskew = 0.3; // else it is a box
+        if (!m_areFaces && !m_allowsAskew && m_askew < kLeastAskew)
+            return;
         const double share = m_areFaces ? 1.0 : m_askew;
         m_all.push_back({normal, count, share * preference, share * kSymmetryPreference});
     }
@@ -93,13 +102,14 @@ public:
 
 private:
     std::vector<PlaneFamily> m_all;
+    bool m_allowsAskew;
     bool m_areFaces = true; // that are added
     double m_askew = 1.0;   // what planes count that are parallel to none
 };
 
-std::vector<PlaneFamily> planeFamilies(const FormSamples &samples, Seeded &dice)
+std::vector<PlaneFamily> planeFamilies(const FormSamples &samples, bool allowsAskew, Seeded &dice)
 {
-    FamilyList families(samples.faces());
+    FamilyList families(samples.faces(), allowsAskew);
     families.add(Vec3::UnitX(), kAcrossAxis, kAxisPreference);
     families.add(Vec3::UnitZ(), kAcrossAxis, kAxisPreference);
     families.add(Vec3::UnitY(), kAcrossHeight, kAxisPreference);
@@ -161,12 +171,12 @@ std::vector<SuggestedPlane> planesAcross(const Vec3 &normal, const std::vector<V
 
 std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
                                             const FormSamples &samples, double within,
-                                            std::uint64_t seed)
+                                            bool allowsAskew, std::uint64_t seed)
 {
     Seeded dice(seed, "planes");
     const Vec3 middle = middleOf(samples.surface());
     std::vector<SuggestedPlane> planes;
-    for (const PlaneFamily &family : planeFamilies(samples, dice)) {
+    for (const PlaneFamily &family : planeFamilies(samples, allowsAskew, dice)) {
         const auto [low, high] = extentAlong(family.normal, positions);
         const double step = (high - low) / family.count;
         const double shift = 0.5 + 0.4 * dice.symmetric();

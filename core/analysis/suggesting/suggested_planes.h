@@ -26,7 +26,7 @@ struct SuggestedPlane
 ///            Singh, N. Mitra 2011, Slices: a shape-proxy based on planar sections.
 std::vector<SuggestedPlane> suggestedPlanes(const std::vector<Vec3> &positions,
                                             const FormSamples &samples, double within,
-                                            std::uint64_t seed);
+                                            bool allowsAskew, std::uint64_t seed);
 
 /// Many across one direction, `step` mm apart, from end to end; the first one at this share of a
 /// step from there.

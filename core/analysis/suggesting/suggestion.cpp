@@ -172,7 +172,7 @@ Document Suggester::withoutOthers()
 std::vector<SuggestedPlane> Suggester::planesOf(int round) const
 {
     const auto shift = 0x9e3779b97f4a7c15ull * static_cast<std::uint64_t>(round);
-    return suggestedPlanes(m_positions, *m_samples, kWithinFace * m_thickness,
+    return suggestedPlanes(m_positions, *m_samples, kWithinFace * m_thickness, round > 0,
                            m_options.seed + shift);
 }
 
