@@ -3,6 +3,7 @@
 #include "core/analysis/checks.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/standing.h"
+#include "core/analysis/findings/thin_webs.h"
 #include "core/analysis/plan_checks.h"
 #include "core/model/template_edits.h"
 #include "core/operations/evaluate.h"
@@ -160,6 +161,11 @@ QStringList faultsOf(const Model &model)
     if (std::none_of(all.begin(), all.end(), [](const Finding &f) { return f.is(kStands); }))
         faults += QStringLiteral("it does not stand");
     return faults;
+}
+
+bool isGrave(const QString &fault)
+{
+    return !fault.startsWith(QLatin1String(kThinWeb.name));
 }
 
 double silhouetteShown(const Template &mesh, const std::vector<SectionPointer> &sections,

@@ -20,6 +20,12 @@ Model evenGridOf(const Document &document, std::size_t sections);
 /// piece is held, it stands.
 QStringList faultsOf(const Model &model);
 
+/// More than a thin wall beside a slit.
+bool isGrave(const QString &fault);
+
+/// Shares of a silhouette that differ by less are as good as each other.
+inline constexpr double kAsGood = 0.001;
+
 /// Share of the mesh's silhouette from 12 directions that has something of a section within 3 mm
 /// beside it, as it is seen from there. By painting both, so it shares nothing with how sections
 /// are chosen; the directions are others, too.

@@ -2,6 +2,8 @@
 // and what is said where there are fewer than wanted.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/suggesting/main_faces.h"
+#include "core/analysis/suggesting/suggested_ground.h"
 #include "core/analysis/suggesting/suggestion.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
@@ -9,6 +11,8 @@
 #include "tests/core/session/suggested_forms.h"
 #include "tests/test_program.h"
 
+#include <cmath>
+#include <numbers>
 #include <stop_token>
 
 using namespace fff;
@@ -37,10 +41,17 @@ class TestSuggestion : public QObject
 private Q_SLOTS:
     void allIsGood_data();
     void allIsGood();
+    void noWorseThanAnEvenGrid_data();
+    void noWorseThanAnEvenGrid();
     void theSeedSaysAll();
     void oneMoreKeepsTheOthers();
     void aTurnedMeshGivesAsMuch();
+    void aBoxIsCutAlongItsFaces_data();
+    void aBoxIsCutAlongItsFaces();
+    void facesOfABoxAndOfABall();
     void theGroundIsFlatUnderABall();
+    void aFishStandsOnFeet();
+    void feetReachDownNearTheMiddle();
     void thoseThatAreThereAreJoined();
     void othersAreLeftAlone();
     void whatCannotBeCut_data();
@@ -86,6 +97,38 @@ void TestSuggestion::allIsGood()
     QVERIFY2(shown >= ofGrid, qPrintable(u"%1, of the grid %2"_s.arg(shown).arg(ofGrid)));
 }
 
+void TestSuggestion::noWorseThanAnEvenGrid_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::newRow("16 sections") << 16;
+    if (qEnvironmentVariableIsSet("FFF_LONG_TESTS"))
+        QTest::newRow("32 sections") << 32;
+}
+
+/// Of ten forms on eight, where the grid falls apart on most; and nothing is wrong with any but, of
+/// many sections, walls beside slits that are thin.
+void TestSuggestion::noWorseThanAnEvenGrid()
+{
+    QFETCH(const int, count);
+    constexpr std::size_t kMostThatAreWorse = 2;
+    QStringList worse;
+    for (const MadeForm &form : madeForms()) {
+        const Document document = documentWith(form);
+        const Suggestion made = suggested(document, {.count = count});
+        QVERIFY2(made.sections.size() == std::size_t(count) || count > 16, form.name);
+        for (const QString &fault : faultsOf(evaluate(made.document)))
+            QVERIFY2(!isGrave(fault), qPrintable(QLatin1String(form.name) + u": "_s + fault));
+        const double shown =
+            silhouetteShown(*made.document.templates.front(), made.document.sections);
+        const double ofGrid = silhouetteShown(*document.templates.front(),
+                                              evenGridOf(document, std::size_t(count)).sections());
+        if (shown < ofGrid - kAsGood)
+            worse +=
+                u"%1 shows %2, the grid %3"_s.arg(QLatin1String(form.name)).arg(shown).arg(ofGrid);
+    }
+    QVERIFY2(std::size_t(worse.size()) <= kMostThatAreWorse, qPrintable(worse.join(u"; ")));
+}
+
 void TestSuggestion::theSeedSaysAll()
 {
     const Document document = documentWith(madeForms()[3]);
@@ -120,6 +163,67 @@ void TestSuggestion::aTurnedMeshGivesAsMuch()
              qPrintable(u"%1 and %2"_s.arg(shown[0]).arg(shown[1])));
 }
 
+void TestSuggestion::aBoxIsCutAlongItsFaces_data()
+{
+    QTest::addColumn<Vec3>("size");
+    QTest::addColumn<double>("turn"); // radians, about the upright axis
+    QTest::newRow("a cube") << Vec3(100, 100, 100) << 0.0;
+    QTest::newRow("a cube that is turned") << Vec3(100, 100, 100) << 0.5;
+    QTest::newRow("a cube on its diagonal") << Vec3(100, 100, 100) << 0.25 * std::numbers::pi;
+    QTest::newRow("a brick") << Vec3(100, 60, 30) << 0.0;
+    QTest::newRow("a tower that is turned") << Vec3(50, 120, 60) << 1.1;
+}
+
+/// Its diagonals are larger, and of a cube planes of symmetry, but say little about a box.
+void TestSuggestion::aBoxIsCutAlongItsFaces()
+{
+    QFETCH(const Vec3, size);
+    QFETCH(const double, turn);
+    const Eigen::AngleAxisd turned(turn, Vec3::UnitY());
+    const Document document = documentOf(
+        mapped(box(Vec3::Zero(), size), [&](const Vec3 &p) { return Vec3(turned * p); }));
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const Suggestion made = suggested(document, {.count = 6, .seed = seed});
+        QCOMPARE(made.sections.size(), std::size_t(6));
+        QCOMPARE(made.lowered, 0.0);
+        QCOMPARE(faultsOf(evaluate(made.document)), QStringList());
+        for (const SectionPointer &section : made.document.sections) {
+            const Vec3 normal = turned.inverse() * section->frame.normal();
+            QVERIFY(normal.cwiseAbs().maxCoeff() > 1.0 - 1e-6);
+        }
+    }
+}
+
+void TestSuggestion::facesOfABoxAndOfABall()
+{
+    std::vector<Vec3> points, normals;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0})
+            for (int i = 0; i < 100; ++i) {
+                Vec3 normal = Vec3::Zero();
+                normal[axis] = side;
+                Vec3 point = 50.0 * normal;
+                point[(axis + 1) % 3] = i - 49.5;
+                points.push_back(point);
+                normals.push_back(normal);
+            }
+    const std::vector<MainFace> faces = mainFaces(points, normals, 1.0);
+    QCOMPARE(faces.size(), std::size_t(3));
+    for (const MainFace &face : faces) {
+        QVERIFY(std::abs(face.share - 1.0 / 3.0) < 1e-9);
+        QCOMPARE(face.places.size(), std::size_t(2));
+        for (const MainFace::Place &place : face.places)
+            QVERIFY(std::abs(place.offset - (place.looksAlong ? 50.0 : -50.0)) < 1e-9);
+    }
+    normals.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double up = (2.0 * double(i) + 1.0) / double(points.size()) - 1.0;
+        const double around = 2.4 * double(i), radius = std::sqrt(1.0 - up * up);
+        normals.emplace_back(radius * std::cos(around), up, radius * std::sin(around));
+    }
+    QVERIFY(mainFaces(points, normals, 1.0).empty());
+}
+
 void TestSuggestion::theGroundIsFlatUnderABall()
 {
     const Suggestion made = suggested(documentOf(sphere(50.0, 60, 90)), {.count = 4});
@@ -132,6 +236,52 @@ void TestSuggestion::theGroundIsFlatUnderABall()
     QCOMPARE(made.messages.size(), std::size_t(1));
     QVERIFY(messageText(made.messages[0]).contains(u"lowered"));
     QCOMPARE(faultsOf(evaluate(made.document)), QStringList());
+}
+
+/// Cut flat until it stands, it would lose its belly.
+void TestSuggestion::aFishStandsOnFeet()
+{
+    const Document document = documentWith(madeForms()[6]);
+    const Suggestion made = suggested(document, {.count = 6});
+    QCOMPARE(faultsOf(evaluate(made.document)), QStringList());
+    QVERIFY(made.lowered > 0.0 && made.lowered < 3.0);
+    QCOMPARE(made.messages.size(), std::size_t(1));
+    QVERIFY(messageText(made.messages[0]).contains(u"feet"));
+    const double shown = silhouetteShown(*made.document.templates.front(), made.document.sections);
+    QVERIFY2(shown > 0.97, qPrintable(QString::number(shown)));
+}
+
+/// A disc 40 mm wide on the ground, filled up where it is less than 5 mm above that.
+void TestSuggestion::feetReachDownNearTheMiddle()
+{
+    Region disc;
+    for (int i = 0; i < 360; ++i) {
+        const double around = std::numbers::pi * i / 180.0;
+        disc.outer.emplace_back(20.0 * std::cos(around), 20.0 + 20.0 * std::sin(around));
+    }
+    const Frame front{Vec3(7, 0, 0), Vec3::UnitX(), Vec3::UnitY()};
+    const auto feet = [&](const SuggestedGround &ground, const Frame &frame) {
+        return feetOn(ground, frame, disc);
+    };
+    SuggestedGround ground{0.0, 5.0, {7.0, 0.0}, 100.0};
+    QCOMPARE(feet(ground, front).size(), std::size_t(1));
+    const double half = std::sqrt(20.0 * 20.0 - 15.0 * 15.0);
+    const SuggestedFoot whole = feet(ground, front).front();
+    QVERIFY(whole.from.x() > -half && whole.from.x() < -half + 0.5);
+    QVERIFY(whole.to.x() < half && whole.to.x() > half - 0.5);
+    QVERIFY(whole.from.y() == 0.0 && whole.to.y() == 0.0);
+    QVERIFY((whole.up - Vec2(0.0, 5.0)).norm() < 1e-12);
+    QVERIFY(signedArea(whole.outline()) > 0.0);
+    // Only around the middle, which may be beside the plane.
+    ground.around = 5.0;
+    ground.middle = {8.0, 3.0};
+    const SuggestedFoot some = feet(ground, front).front();
+    QVERIFY(std::abs(some.from.x() + 3.0) < 1e-9 && std::abs(some.to.x() - 5.0) < 1e-9);
+    ground.middle = {8.0, 5.5};
+    QVERIFY(feet(ground, front).empty());
+    // What lies has none, and where nothing is filled there are none.
+    QVERIFY(feet(ground, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()}).empty());
+    QVERIFY(feet({0.0, 0.0, {7.0, 0.0}, 100.0}, front).empty());
 }
 
 void TestSuggestion::thoseThatAreThereAreJoined()
