@@ -28,7 +28,7 @@ inline constexpr double kAsGood = 0.001;
 
 /// Share of the mesh's silhouette from 12 directions that has something of a section within 3 mm
 /// beside it, as it is seen from there. By painting both, so it shares nothing with how sections
-/// are chosen; the directions are others, too.
+/// are chosen; the directions are others, too, but for the front and the side.
 /// ground  Y, mm: of the mesh as if all below this were pressed flat
 double silhouetteShown(const Template &mesh, const std::vector<SectionPointer> &sections,
                        double ground = -1e9);
