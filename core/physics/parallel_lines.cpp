@@ -33,12 +33,19 @@ void ParallelLines::placeLines(const Vec2 &direction, double shift, double spaci
     m_isUnsure.assign(m_lines.size(), 0);
 }
 
-void ParallelLines::markUnsure(double position, double slack)
+/// The last line that does not lie beyond a position, which is in spacings from the first one; and
+/// marks one that this may be on. All before the first line are −1.
+int ParallelLines::rowOf(double position, double slack)
 {
-    const double nearest = std::round(position);
-    if (std::abs(position - nearest) <= slack && nearest >= 0.0 &&
-        nearest < static_cast<double>(m_lines.size()))
-        m_isUnsure[static_cast<std::size_t>(nearest)] = 1;
+    const int count = static_cast<int>(m_lines.size());
+    const double within = std::clamp(position, -1.0, static_cast<double>(count));
+    const int row = static_cast<int>(within + 1.0) - 1; // the sum rounds: then it is unsure
+    const double beyond = within - row;
+    if (beyond <= slack && row >= 0 && row < count)
+        m_isUnsure[static_cast<std::size_t>(row)] = 1;
+    if (beyond >= 1.0 - slack && row + 1 < count)
+        m_isUnsure[static_cast<std::size_t>(row + 1)] = 1;
+    return row;
 }
 
 void ParallelLines::crossRing(int ring, double spacing)
@@ -47,18 +54,15 @@ void ParallelLines::crossRing(int ring, double spacing)
     const double largest = std::max(m_outline.bounds().min.cwiseAbs().maxCoeff(),
                                     m_outline.bounds().max.cwiseAbs().maxCoeff());
     const double slack = kRounding * (largest + spacing) / spacing;
-    m_positions.clear();
-    for (const Vec2 &p : points) {
-        m_positions.push_back((m_step.dot(p) - m_first) / spacing);
-        markUnsure(m_positions.back(), slack);
-    }
-    const double last = static_cast<double>(m_lines.size()) - 1.0;
+    m_rows.clear();
+    for (const Vec2 &p : points)
+        m_rows.push_back(rowOf((m_step.dot(p) - m_first) / spacing, slack));
+    const int last = static_cast<int>(m_lines.size()) - 1;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double here = m_positions[i];
-        const double there = m_positions[i + 1 == points.size() ? 0 : i + 1];
-        const double from = std::max(0.0, std::floor(std::min(here, there)) + 1.0);
-        const double to = std::min(last, std::floor(std::max(here, there)));
-        for (double k = from; k <= to; k += 1.0)
+        const int here = m_rows[i], there = m_rows[i + 1 == points.size() ? 0 : i + 1];
+        if (here == there)
+            continue;
+        for (int k = std::min(here, there) + 1; k <= std::min(std::max(here, there), last); ++k)
             m_events.push_back(
                 {static_cast<std::size_t>(k), ring, static_cast<int>(i), there > here});
     }

@@ -27,7 +27,7 @@ public:
 private:
     void placeLines(const Vec2 &direction, double shift, double spacing);
     void crossRing(int ring, double spacing);
-    void markUnsure(double position, double slack);
+    int rowOf(double position, double slack);
 
     /// An edge that crosses a line.
     struct Event
@@ -39,8 +39,8 @@ private:
 
     const SectionOutline &m_outline;
     std::vector<CutLine> m_lines;
-    std::vector<char> m_isUnsure;    // a vertex lies on the line, but for rounding
-    std::vector<double> m_positions; // of a ring's vertices, in spacings from the first line
+    std::vector<char> m_isUnsure; // a vertex lies on the line, but for rounding
+    std::vector<int> m_rows;      // of a ring's vertices: the last line that is not beyond it
     std::vector<Event> m_events;
     std::vector<std::size_t> m_begins; // of each line in m_sorted; one more
     std::vector<Event> m_sorted;
