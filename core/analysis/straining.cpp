@@ -124,18 +124,14 @@ bool isAlike(const PieceShape &a, const PieceShape &b)
     return a.outline.rings() == b.outline.rings() && a.slits == b.slits;
 }
 
+/// Of what follows from all of it.
 std::size_t hashOf(const PieceShape &shape)
 {
     std::size_t hash = shape.slits.size();
-    const auto add = [&hash](double value) {
+    const AreaMoment &total = shape.outline.total();
+    for (const double value : {total.area, total.first.x(), total.first.y(), shape.size}) {
         constexpr std::size_t kFactor = 0x100000001b3; // of FNV
         hash = (hash ^ std::hash<double>()(value)) * kFactor;
-    };
-    for (const Polygon &ring : shape.outline.rings()) {
-        for (const Vec2 &p : ring) {
-            add(p.x());
-            add(p.y());
-        }
     }
     return hash;
 }
@@ -146,11 +142,11 @@ class KeptLines
 public:
     void add(const SectionStress &stress, std::size_t samples)
     {
-        m_samples.resize(samples);
         for (std::size_t i = 0; i < stress.necks.size(); ++i) {
             const NeckStress &neck = stress.necks[i];
             if (!neck.counts() || neck.cornerUse < kLeastShown)
                 continue;
+            m_samples.resize(samples); // of most bodies nothing is kept
             if (i >= samples)
                 m_refined.push_back(neck);
             else if (!m_samples[i] || neck.cornerUse > m_samples[i]->cornerUse)
@@ -258,6 +254,7 @@ void Straining::strain(double scale, std::span<const int> bodies, Detail detail,
         hasForces.push_back(bodiesWithForces(equilibrium, m_analysis.bodies.size()));
         forces.push_back(forcesOn(m_analysis.bodies, strength.made, loaded, equilibrium));
     }
+    Rooms rooms(forces.size());
     for (const int index : bodies) {
         if (isStopped())
             return; // whoever did so wants none of this
@@ -267,7 +264,7 @@ void Straining::strain(double scale, std::span<const int> bodies, Detail detail,
             if (hasForces[k][i])
                 cases.push_back(&forces[k][i]);
         BodyStrength &body = strength.bodies[i];
-        body = cases.empty() ? BodyStrength() : worstOf(index, cases, detail);
+        body = cases.empty() ? BodyStrength() : worstOf(index, cases, detail, rooms);
         body.strength = strengthOf(stockOf(index), m_rules);
         body.isWorkedOut = hasForces.front()[i] && (cases.empty() || body.isWorkedOut);
     }
@@ -347,7 +344,7 @@ SheetMaterial Straining::sheetOf(int body) const
 /// Of the cases, which act in the same places, those are looked at closely that may be worst.
 BodyStrength Straining::worstOf(int index,
                                 const std::vector<const std::vector<AppliedForce> *> &cases,
-                                Detail detail) const
+                                Detail detail, Rooms &rooms) const
 {
     BodyStrength body;
     body.isWorkedOut = true;
@@ -361,7 +358,8 @@ BodyStrength Straining::worstOf(int index,
     std::deque<SampleStresses> stresses; // by cases
     double worstNeck = 0.0, worstCorner = 0.0;
     for (const std::vector<AppliedForce> *forces : cases) {
-        SampleStresses &stress = stresses.emplace_back(cuts, shares, *forces, sheet, m_rules.notch);
+        SampleStresses &stress = stresses.emplace_back(cuts, shares, *forces, sheet, m_rules.notch,
+                                                       std::move(rooms[stresses.size()]));
         worstNeck = std::max(worstNeck, stress.worstNeck());
         worstCorner = std::max(worstCorner, stress.worstCorner());
     }
@@ -382,6 +380,8 @@ BodyStrength Straining::worstOf(int index,
         if (detail == Detail::WithLines)
             lines.add(found, cuts.samples().size());
     }
+    for (std::size_t i = 0; i < stresses.size(); ++i)
+        rooms[i] = stresses[i].takeRoom();
     if (strengthOf(stockOf(index))) {
         body.neckUse = body.neck ? body.neck->neckUse : 0.0;
         body.cornerUse = body.corner ? body.corner->cornerUse : 0.0;

@@ -40,8 +40,10 @@ private:
                               const std::vector<AppliedForce> &forces, double thickness) const;
     SheetMaterial sheetOf(int body) const;
     enum class Detail { Grid, Refined, WithLines };
+    /// Lists of necks that are used again, one for each case: a body more costs no memory.
+    using Rooms = std::vector<std::vector<NeckStress>>;
     BodyStrength worstOf(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
-                         Detail detail) const;
+                         Detail detail, Rooms &rooms) const;
     void strain(double scale, std::span<const int> bodies, Detail detail, Strength &strength) const;
 
     const Analysis &m_analysis;

@@ -34,12 +34,14 @@ bool isBeside(const Neck &neck, const Neck &other, double reach)
 
 SampleStresses::SampleStresses(const SectionCuts &cuts, const CutShares &shares,
                                const std::vector<AppliedForce> &forces, const SheetMaterial &sheet,
-                               const NotchRule &notch)
+                               const NotchRule &notch, std::vector<NeckStress> room)
     : m_cuts(cuts), m_shares(shares), m_forces(usableForces(forces)),
       m_summed(cuts.shape().outline, shares.sites, m_forces),
       m_piece{cuts.shape(), m_summed, sheet, notch,
               netForces(cuts.shape(), m_summed, shares.nets, sheet.arealWeight)}
 {
+    m_result.necks = std::move(room);
+    m_result.necks.clear();
     const SectionOutline &outline = cuts.shape().outline;
     if (outline.isEmpty() || !isUsableSheet(sheet))
         return;

@@ -13,9 +13,10 @@ namespace fff {
 class SampleStresses
 {
 public:
+    /// `room`  a list whose memory is used, for those who ask of many pieces
     SampleStresses(const SectionCuts &cuts, const CutShares &shares,
                    const std::vector<AppliedForce> &forces, const SheetMaterial &sheet,
-                   const NotchRule &notch);
+                   const NotchRule &notch, std::vector<NeckStress> room = {});
     SampleStresses(const SampleStresses &) = delete;
     SampleStresses &operator=(const SampleStresses &) = delete;
 
@@ -28,6 +29,8 @@ public:
     /// Necks with a `cornerUse` below this, and not the worst, are without doubts, and may be
     /// local though they do not say so.
     const SectionStress &result(double judgedFrom);
+    /// The memory of the result, which is none any more.
+    std::vector<NeckStress> takeRoom() { return std::move(m_result.necks); }
 
 private:
     const SectionStress &result();
