@@ -7,12 +7,6 @@ namespace fff {
 
 namespace {
 
-/// lever × f of a lever in the plane.
-Vec3 momentOf(const Vec2 &lever, const Vec3 &f)
-{
-    return Vec3(lever.x(), lever.y(), 0.0).cross(f);
-}
-
 /// What of a link's force is on a side: what walls bear on their stretches, the rest at its root.
 void addLink(const SectionOutline &outline, const AppliedForce &link, const PlusShare &plus,
              SlitFit fit, SideForce &side)
@@ -54,25 +48,6 @@ SideForce allOf(const SectionOutline &outline, const AppliedForce &force)
 
 } // namespace
 
-Vec3 SideForce::momentAbout(const Vec2 &point, const Vec2 &base) const
-{
-    return moment + momentOf(base - point, force);
-}
-
-SideForce &SideForce::operator+=(const SideForce &other)
-{
-    force += other.force;
-    moment += other.moment;
-    return *this;
-}
-
-SideForce &SideForce::operator-=(const SideForce &other)
-{
-    force -= other.force;
-    moment -= other.moment;
-    return *this;
-}
-
 SummedForces::SummedForces(const SectionOutline &outline, const ForceSites &sites,
                            const std::vector<AppliedForce> &forces)
     : m_sites(sites), m_forces(forces)
@@ -90,19 +65,8 @@ SummedForces::SummedForces(const SectionOutline &outline, const ForceSites &site
     }
 }
 
-SideForce SummedForces::sum(int begin, int end) const
-{
-    SideForce sum = m_sums[static_cast<std::size_t>(end)];
-    return sum -= m_sums[static_cast<std::size_t>(begin)];
-}
-
-int SummedForces::loaded(int begin, int end) const
-{
-    return m_loaded[static_cast<std::size_t>(end)] - m_loaded[static_cast<std::size_t>(begin)];
-}
-
 SideForce plusForce(const SectionOutline &outline, const LineCut &cut, const SummedForces &forces,
-                    const PlusSites &plus, const Vec3 &arealWeight, SlitFit fit)
+                    const PlusSitesView &plus, const Vec3 &arealWeight, SlitFit fit)
 {
     SideForce side;
     side.force = cut.plus.area * arealWeight;

@@ -9,6 +9,12 @@
 
 namespace fff {
 
+/// lever × f of a lever in the plane.
+inline Vec3 momentOf(const Vec2 &lever, const Vec3 &f)
+{
+    return Vec3(lever.x(), lever.y(), 0.0).cross(f);
+}
+
 /// Force and moment of what is on the plus side of a cut, its own weight included; the moment about
 /// the outline's base. N, N·mm, (u, v, n).
 struct SideForce
@@ -17,10 +23,23 @@ struct SideForce
     Vec3 moment = Vec3::Zero();
 
     /// About another point of the mid-plane.
-    Vec3 momentAbout(const Vec2 &point, const Vec2 &base) const;
+    Vec3 momentAbout(const Vec2 &point, const Vec2 &base) const
+    {
+        return moment + momentOf(base - point, force);
+    }
 
-    SideForce &operator+=(const SideForce &other);
-    SideForce &operator-=(const SideForce &other);
+    SideForce &operator+=(const SideForce &other)
+    {
+        force += other.force;
+        moment += other.moment;
+        return *this;
+    }
+    SideForce &operator-=(const SideForce &other)
+    {
+        force -= other.force;
+        moment -= other.moment;
+        return *this;
+    }
 };
 
 /// The forces at their sites, summed along the boundary. Both outlive it.
@@ -36,9 +55,16 @@ public:
         return m_forces[static_cast<std::size_t>(m_sites.forceAt(place))];
     }
     /// Of these places.
-    SideForce sum(int begin, int end) const;
+    SideForce sum(int begin, int end) const
+    {
+        SideForce sum = m_sums[static_cast<std::size_t>(end)];
+        return sum -= m_sums[static_cast<std::size_t>(begin)];
+    }
     /// How many of these are not zero.
-    int loaded(int begin, int end) const;
+    int loaded(int begin, int end) const
+    {
+        return m_loaded[static_cast<std::size_t>(end)] - m_loaded[static_cast<std::size_t>(begin)];
+    }
     bool isLoaded(int place) const { return loaded(place, place + 1) > 0; }
 
 private:
@@ -50,7 +76,8 @@ private:
 
 /// O(runs + what is near).
 SideForce plusForce(const SectionOutline &outline, const LineCut &cut, const SummedForces &forces,
-                    const PlusSites &plus, const Vec3 &arealWeight, SlitFit fit = SlitFit::Loose);
+                    const PlusSitesView &plus, const Vec3 &arealWeight,
+                    SlitFit fit = SlitFit::Loose);
 
 /// All that acts on the piece: zero if it is in equilibrium. About the outline's base.
 SideForce allForce(const SectionOutline &outline, const std::vector<AppliedForce> &forces,

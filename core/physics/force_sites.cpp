@@ -45,10 +45,10 @@ bool meets(const LineCut &cut, const Box2 &box)
 
 } // namespace
 
-const PlusSites::Near *PlusSites::nearAt(int place) const
+const PlusSites::Near *PlusSitesView::nearAt(int place) const
 {
     const auto found = std::lower_bound(near.begin(), near.end(), place,
-                                        [](const Near &n, int p) { return n.place < p; });
+                                        [](const auto &n, int p) { return n.place < p; });
     return found != near.end() && found->place == place ? &*found : nullptr;
 }
 
@@ -60,6 +60,13 @@ void PlusSites::setNear(int place, const PlusShare &share)
         found->plus = share;
     else
         near.insert(found, {place, share});
+}
+
+void PlusSitesList::add(const PlusSites &sites)
+{
+    m_runs.insert(m_runs.end(), sites.runs.begin(), sites.runs.end());
+    m_near.insert(m_near.end(), sites.near.begin(), sites.near.end());
+    m_ends.push_back({m_runs.size(), m_near.size()});
 }
 
 ForceSites::ForceSites(const SectionOutline &outline, const std::vector<AppliedForce> &forces,
@@ -84,6 +91,14 @@ ForceSites::ForceSites(const SectionOutline &outline, const std::vector<AppliedF
 PlusSites ForceSites::onPlusSide(const LineCut &cut) const
 {
     PlusSites plus;
+    onPlusSide(cut, plus);
+    return plus;
+}
+
+void ForceSites::onPlusSide(const LineCut &cut, PlusSites &plus) const
+{
+    plus.runs.clear();
+    plus.near.clear();
     for (int begin = 0; begin < size();) {
         const int ring = at(begin).held.anchor.ring;
         const auto next = std::partition_point(
@@ -94,7 +109,6 @@ PlusSites ForceSites::onPlusSide(const LineCut &cut) const
         begin = end;
     }
     addNear(cut, plus);
-    return plus;
 }
 
 /// Of the sites that are held to one ring.

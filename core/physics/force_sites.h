@@ -2,10 +2,10 @@
 // steps which of them are on its plus side.
 #pragma once
 
-#include "core/base/few.h"
 #include "core/geometry/box_runs.h"
 #include "core/physics/cut_sides.h"
 
+#include <span>
 #include <vector>
 
 namespace fff {
@@ -23,12 +23,49 @@ struct PlusSites
         int place = 0;
         PlusShare plus;
     };
-    Few<Run, 2> runs;       // apart, ascending
+    std::vector<Run> runs;  // apart, ascending
     std::vector<Near> near; // ascending
 
-    /// As one that is wholly on one side has none here.
-    const Near *nearAt(int place) const;
     void setNear(int place, const PlusShare &plus);
+};
+
+/// The same, which others keep.
+struct PlusSitesView
+{
+    PlusSitesView(const PlusSites &sites) : runs(sites.runs), near(sites.near) {}
+    PlusSitesView(std::span<const PlusSites::Run> ofRuns, std::span<const PlusSites::Near> ofNear)
+        : runs(ofRuns), near(ofNear)
+    {
+    }
+
+    std::span<const PlusSites::Run> runs;
+    std::span<const PlusSites::Near> near;
+
+    /// As one that is wholly on one side has none here.
+    const PlusSites::Near *nearAt(int place) const;
+};
+
+/// Those of many cuts, one behind the other.
+class PlusSitesList
+{
+public:
+    void add(const PlusSites &sites);
+    std::size_t size() const { return m_ends.size() - 1; }
+    PlusSitesView operator[](std::size_t i) const
+    {
+        const End &begin = m_ends[i], &end = m_ends[i + 1];
+        return {std::span(m_runs).subspan(begin.runs, end.runs - begin.runs),
+                std::span(m_near).subspan(begin.near, end.near - begin.near)};
+    }
+
+private:
+    struct End
+    {
+        std::size_t runs = 0, near = 0;
+    };
+    std::vector<End> m_ends{{}};
+    std::vector<PlusSites::Run> m_runs;
+    std::vector<PlusSites::Near> m_near;
 };
 
 /// The sites of the forces on a piece. A place is a site's number along the boundary.
@@ -47,6 +84,8 @@ public:
 
     /// O(log sites + sites near the cut + rings with sites).
     PlusSites onPlusSide(const LineCut &cut) const;
+    /// The same for those who ask often: `plus` is filled anew.
+    void onPlusSide(const LineCut &cut, PlusSites &plus) const;
 
     /// Boxes around all that a site takes up, by places.
     const BoxRuns &boxes() const { return m_boxes; }

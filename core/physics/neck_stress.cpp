@@ -56,7 +56,7 @@ bool isSlenderlyPressed(const CutForces &forces, const Neck &neck, const SheetMa
 }
 
 /// How far the nearest force on one side of a cut is from a point, mm; endless without any.
-double distanceToForce(const SummedForces &forces, const PlusSites &plus, bool isPlus,
+double distanceToForce(const SummedForces &forces, const PlusSitesView &plus, bool isPlus,
                        const Vec2 &point)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ bool isBesideHoles(const SummedForces &forces, const LineCut &cut, const Neck &n
 }
 
 NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
-                    const PlusSites &sites, const CutForces &forces)
+                    const PlusSitesView &sites, const CutForces &forces)
 {
     NeckDoubts doubts;
     doubts.isStubby = neck.isStubby;
@@ -154,7 +154,7 @@ NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &ne
 
 /// Through a foot, or a load that is spread, which is wider than the neck: it presses on the tip
 /// beyond as much as on what is before, and bends neither.
-bool isWithinPatch(const LoadedPiece &piece, const Neck &neck, const PlusSites &sites)
+bool isWithinPatch(const LoadedPiece &piece, const Neck &neck, const PlusSitesView &sites)
 {
     return std::any_of(sites.near.begin(), sites.near.end(), [&](const PlusSites::Near &near) {
         const AppliedForce &force = piece.forces.at(near.place);
@@ -235,7 +235,7 @@ std::vector<NetForce> netForces(const PieceShape &shape, const SummedForces &for
 }
 
 NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                     SampleKind kind, const PlusSites &sites, const SideForce &plus)
+                     SampleKind kind, const PlusSitesView &sites, const SideForce &plus)
 {
     const SectionOutline &outline = piece.shape.outline;
     NeckStress result;
@@ -277,7 +277,7 @@ NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, co
 }
 
 void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
-               const PlusSites &sites, NeckStress &stress)
+               const PlusSitesView &sites, NeckStress &stress)
 {
     stress.doubts = doubtsOf(piece, cut, neck, sites, stress.forces);
     stress.isLocal = isWithinPatch(piece, neck, sites) ||
@@ -286,7 +286,7 @@ void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
 }
 
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                      SampleKind kind, const PlusSites &sites, const SideForce &plus)
+                      SampleKind kind, const PlusSitesView &sites, const SideForce &plus)
 {
     NeckStress stress = undoubted(piece, cut, chord, neck, kind, sites, plus);
     addDoubts(piece, cut, neck, sites, stress);
@@ -303,6 +303,7 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, do
     std::optional<NeckStress> best;
     LineCutter cutter(piece.shape.outline);
     Vec2 across = seed.across; // what is square at one place nearly is at the next
+    PlusSites sites;
     const auto use = [&](double shift) {
         const auto found =
             squareNeck(piece.shape, cutter, {seed.middle() + shift * seed.normal(), across},
@@ -311,7 +312,7 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, do
             return 0.0;
         across = found->neck.across;
         const LineCut &cut = found->cut.cut;
-        const PlusSites sites = piece.forces.sites().onPlusSide(cut);
+        piece.forces.sites().onPlusSide(cut, sites);
         const SideForce plus =
             plusForce(piece.shape.outline, cut, piece.forces, sites, piece.sheet.arealWeight);
         const NeckStress here =

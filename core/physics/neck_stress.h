@@ -29,14 +29,14 @@ struct LoadedPiece
 /// sites  on the plus side of this cut
 /// plus   what they and the weight come to
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                      SampleKind kind, const PlusSites &sites, const SideForce &plus);
+                      SampleKind kind, const PlusSitesView &sites, const SideForce &plus);
 
 /// The two halves of it: the stress; and how far to trust it, and whether it is one of a member,
 /// which takes longer.
 NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                     SampleKind kind, const PlusSites &sites, const SideForce &plus);
+                     SampleKind kind, const PlusSitesView &sites, const SideForce &plus);
 void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
-               const PlusSites &sites, NeckStress &stress);
+               const PlusSitesView &sites, NeckStress &stress);
 
 /// The worst cut square to a member, along it by golden section, `spacing` mm to both sides of
 /// where `seed` is. Nothing if there is no neck there.

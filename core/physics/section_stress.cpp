@@ -48,9 +48,11 @@ CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &gi
     if (cuts.shape().outline.isEmpty())
         return result;
     result.sites = ForceSites(cuts.shape().outline, usableForces(given), thickness);
-    result.cuts.reserve(cuts.cuts().size());
-    for (const LineCut &cut : cuts.cuts())
-        result.cuts.push_back(result.sites.onPlusSide(cut));
+    PlusSites plus;
+    for (const LineCut &cut : cuts.cuts()) {
+        result.sites.onPlusSide(cut, plus);
+        result.cuts.add(plus);
+    }
     result.nets = onNetCuts(cuts.shape(), result.sites);
     return result;
 }

@@ -55,7 +55,7 @@ struct StressOptions
 struct CutShares
 {
     ForceSites sites;
-    std::vector<PlusSites> cuts; // of each cut
+    PlusSitesList cuts;          // of each cut
     std::vector<PlusSites> nets; // of each slit's net cut
 };
 
