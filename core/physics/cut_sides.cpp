@@ -26,7 +26,8 @@ void addWalls(const SectionOutline &outline, const SlitLine &slit, ForceSite &si
     const Vec2 side = 0.5 * slit.width * perpendicular(slit.opening);
     const Vec2 mouth = slit.root + slit.depth * slit.opening;
     const auto wall = [&](const Vec2 &to) {
-        return SlitWall{held(outline, slit.root + to), held(outline, mouth + to)};
+        const HeldPoint root = held(outline, slit.root + to, site.held.anchor.at);
+        return SlitWall{root, held(outline, mouth + to, root.anchor.at)};
     };
     site.walls = {wall(side), wall(-side)};
     const bool hasLeft = isNear(site.walls[0], kOffWall * slit.width);
@@ -59,14 +60,15 @@ std::vector<ForceSite> forceSites(const SectionOutline &outline,
         site.at = force.at;
         site.radius = std::max(0.0, force.radius);
         Vec2 inside = force.at;
-        if (force.kind == ForceKind::Link) {
+        if (force.kind == ForceKind::Link)
             inside -= kBeyondRoot * force.slit.opening;
+        site.held = held(outline, inside);
+        if (force.kind == ForceKind::Link) {
             site.radius = std::max(site.radius, 0.5 * force.slit.width);
             addWalls(outline, force.slit, site);
         }
         if (force.kind == ForceKind::Foot)
             site.radius = std::max(site.radius, 0.5 * thickness);
-        site.held = held(outline, inside);
         sites.push_back(site);
     }
     return sites;

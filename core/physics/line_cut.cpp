@@ -324,6 +324,11 @@ HeldPoint held(const SectionOutline &outline, const Vec2 &point)
     return {point, outline.nearest(point)};
 }
 
+HeldPoint held(const SectionOutline &outline, const Vec2 &point, const Vec2 &known)
+{
+    return {point, outline.nearest(point, known)};
+}
+
 bool isOnPlusSide(const LineCut &cut, const HeldPoint &point)
 {
     return isBoundaryLeft(cut, point.anchor) == passesCut(cut, point.anchor.at, point.at);

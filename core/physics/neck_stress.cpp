@@ -302,6 +302,7 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, do
 {
     std::optional<NeckStress> best;
     LineCutter cutter(piece.shape.outline);
+    cutter.focus(seed.middle(), 2.0 * spacing + seed.length); // all of the lines to come
     Vec2 across = seed.across; // what is square at one place nearly is at the next
     PlusSites sites;
     const auto use = [&](double shift) {

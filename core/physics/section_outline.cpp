@@ -36,28 +36,7 @@ std::size_t at(int index)
     return static_cast<std::size_t>(index);
 }
 
-template <class Value>
-const Value &around(const std::vector<Value> &all, int index)
-{
-    const int n = static_cast<int>(all.size());
-    return all[at(index < 0 ? index + n : index >= n ? index - n : index)];
-}
-
 } // namespace
-
-AreaMoment &AreaMoment::operator+=(const AreaMoment &other)
-{
-    area += other.area;
-    first += other.first;
-    return *this;
-}
-
-AreaMoment &AreaMoment::operator-=(const AreaMoment &other)
-{
-    area -= other.area;
-    first -= other.first;
-    return *this;
-}
 
 SectionOutline::SectionOutline(const Region &region)
 {
@@ -143,44 +122,6 @@ void SectionOutline::buildBridges()
     std::iota(m_holeOrder.begin(), m_holeOrder.end(), 1);
     std::sort(m_holeOrder.begin(), m_holeOrder.end(),
               [&reach](int a, int b) { return reach[at(a - 1)] < reach[at(b - 1)]; });
-}
-
-const Vec2 &SectionOutline::vertex(int ring, int index) const
-{
-    return around(m_rings[at(ring)], index);
-}
-
-const Vec2 &SectionOutline::outward(int ring, int edge) const
-{
-    return around(m_outward[at(ring)], edge);
-}
-
-double SectionOutline::length(int ring, int edge) const
-{
-    return around(m_lengths[at(ring)], edge);
-}
-
-double SectionOutline::turn(int ring, int index) const
-{
-    return around(m_turns[at(ring)], index);
-}
-
-bool SectionOutline::isReentrant(int ring, int index) const
-{
-    return around(m_reentrant[at(ring)], index) != 0;
-}
-
-AreaMoment SectionOutline::ofStep(const Vec2 &a, const Vec2 &b)
-{
-    const double twice = cross(a, b);
-    return {0.5 * twice, (twice / 6.0) * (a + b)};
-}
-
-AreaMoment SectionOutline::upTo(const OutlinePoint &point) const
-{
-    AreaMoment sum = m_sums[at(point.ring)][at(point.edge)];
-    sum += ofStep(m_rings[at(point.ring)][at(point.edge)] - m_base, point.at - m_base);
-    return sum;
 }
 
 LineSpan SectionOutline::spanOn(const CutLine &line) const
@@ -374,7 +315,7 @@ std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, i
 OutlinePoint SectionOutline::entryAt(const CutLine &line, int ring, int vertex) const
 {
     const Vec2 &p = m_rings[at(ring)][at(vertex)];
-    if (sideOfLine(line.point, line.at(kCutBase), fff::around(m_rings[at(ring)], vertex + 1)) < 0.0)
+    if (sideOfLine(line.point, line.at(kCutBase), SectionOutline::vertex(ring, vertex + 1)) < 0.0)
         return {ring, vertex, 0.0, p};
     const int before = vertex == 0 ? static_cast<int>(m_rings[at(ring)].size()) - 1 : vertex - 1;
     return {ring, before, 1.0, p};
@@ -392,8 +333,18 @@ void SectionOutline::runsNear(const Vec2 &point, double reach, std::vector<EdgeR
 
 OutlinePoint SectionOutline::nearest(const Vec2 &point) const
 {
+    return nearestWithin(point, std::numeric_limits<double>::infinity());
+}
+
+OutlinePoint SectionOutline::nearest(const Vec2 &point, const Vec2 &known) const
+{
+    return nearestWithin(point, (known - point).norm() + kClipGrid);
+}
+
+/// Of what is nearer than `least` mm; something is.
+OutlinePoint SectionOutline::nearestWithin(const Vec2 &point, double least) const
+{
     OutlinePoint best;
-    double least = std::numeric_limits<double>::infinity();
     for (std::size_t ring = 0; ring < m_rings.size(); ++ring) {
         const Polygon &points = m_rings[ring];
         m_edges[ring].any([&](const Box2 &box) { return distanceToBox(box, point) < least; },

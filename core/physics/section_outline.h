@@ -34,8 +34,18 @@ struct AreaMoment
     double area = 0.0;
     Vec2 first = Vec2::Zero();
 
-    AreaMoment &operator+=(const AreaMoment &other);
-    AreaMoment &operator-=(const AreaMoment &other);
+    AreaMoment &operator+=(const AreaMoment &other)
+    {
+        area += other.area;
+        first += other.first;
+        return *this;
+    }
+    AreaMoment &operator-=(const AreaMoment &other)
+    {
+        area -= other.area;
+        first -= other.first;
+        return *this;
+    }
 };
 
 /// A point of the boundary, on the edge that begins at vertex `edge` of a ring (0: the outer one).
@@ -114,22 +124,33 @@ public:
     const AreaMoment &total() const { return m_total; }
 
     // Indices are counted around, at most once more in either direction.
-    const Vec2 &vertex(int ring, int index) const;
+    const Vec2 &vertex(int ring, int index) const { return around(m_rings, ring, index); }
     /// Unit, out of the material, of the edge that begins at the vertex.
-    const Vec2 &outward(int ring, int edge) const;
-    double length(int ring, int edge) const; // mm
+    const Vec2 &outward(int ring, int edge) const { return around(m_outward, ring, edge); }
+    double length(int ring, int edge) const { return around(m_lengths, ring, edge); } // mm
     /// From the edge before a vertex to the one behind, radians: positive where it is convex.
-    double turn(int ring, int index) const;
+    double turn(int ring, int index) const { return around(m_turns, ring, index); }
     /// Inside angle of more than 200° there.
-    bool isReentrant(int ring, int index) const;
+    bool isReentrant(int ring, int index) const { return around(m_reentrant, ring, index) != 0; }
 
     /// What the ring sweeps over about base() from its first vertex to the point; of all of it.
-    AreaMoment upTo(const OutlinePoint &point) const;
+    AreaMoment upTo(const OutlinePoint &point) const
+    {
+        const auto ring = static_cast<std::size_t>(point.ring);
+        const auto edge = static_cast<std::size_t>(point.edge);
+        AreaMoment sum = m_sums[ring][edge];
+        sum += ofStep(m_rings[ring][edge] - m_base, point.at - m_base);
+        return sum;
+    }
     const AreaMoment &ofRing(int ring) const
     {
         return m_sums[static_cast<std::size_t>(ring)].back();
     }
-    static AreaMoment ofStep(const Vec2 &a, const Vec2 &b); // both about one base
+    static AreaMoment ofStep(const Vec2 &a, const Vec2 &b) // both about one base
+    {
+        const double twice = cross(a, b);
+        return {0.5 * twice, (twice / 6.0) * (a + b)};
+    }
 
     /// All crossings within the span. O(edges near it).
     void crossings(const CutLine &line, const LineSpan &span, LineCrossings &found) const;
@@ -161,6 +182,8 @@ public:
                               });
     }
     OutlinePoint nearest(const Vec2 &point) const;
+    /// The same, faster the nearer a known point of the boundary is.
+    OutlinePoint nearest(const Vec2 &point, const Vec2 &known) const;
     /// The straight way between two points of the material meets no edge; touching is meeting,
     /// except within `slack` mm of its ends.
     bool isClear(const Vec2 &a, const Vec2 &b, double slack) const;
@@ -177,6 +200,16 @@ public:
     const std::vector<int> &holeOrder() const { return m_holeOrder; }
 
 private:
+    template <class Value>
+    static const Value &around(const std::vector<std::vector<Value>> &rings, int ring, int index)
+    {
+        const std::vector<Value> &all = rings[static_cast<std::size_t>(ring)];
+        const int n = static_cast<int>(all.size());
+        return all[static_cast<std::size_t>(index < 0    ? index + n
+                                            : index >= n ? index - n
+                                                         : index)];
+    }
+    OutlinePoint nearestWithin(const Vec2 &point, double least) const;
     void addRing(const Polygon &ring, bool isHole);
     void buildBridges();
     bool leadsInside(const Vec2 &direction, int ring, int vertex) const;
