@@ -116,13 +116,17 @@ bool LineCutter::nextRun(std::span<const OutlineCrossing> crossings, Run &run)
     return false;
 }
 
-LineCut LineCutter::chordsOf(const CutLine &line, const Run &run)
+std::optional<CutChord> LineCutter::cutOf(const CutLine &line, const Run &run, int chord) const
 {
-    LineCut cut;
-    cut.line = line;
-    for (const OutlineCrossing *c = run.first; c < run.last; c += 2)
-        cut.chords.push_back({c->along, (c + 1)->along, c->point, (c + 1)->point});
-    return cut;
+    std::optional<CutChord> found(std::in_place);
+    found->cut.line = line;
+    found->chord = chord;
+    const Chords chords(run);
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        found->cut.chords.push_back(chords[i]);
+    if (!weigh(run, found->cut))
+        found.reset();
+    return found;
 }
 
 bool LineCutter::weigh(const Run &run, LineCut &cut) const
@@ -253,9 +257,8 @@ std::optional<CutChord> LineCutter::least(const CutLine &line, Value value)
         const auto best = std::min_element(
             m_candidates.begin(), m_candidates.end(),
             [&](const Candidate &a, const Candidate &b) { return value(a) < value(b); });
-        CutChord result{chordsOf(line, best->run), best->chord};
-        if (weigh(best->run, result.cut))
-            return result;
+        if (auto found = cutOf(line, best->run, best->chord))
+            return found;
         m_candidates.erase(best);
     }
     return std::nullopt;
@@ -286,10 +289,8 @@ std::optional<CutChord> LineCutter::fromVertex(const CutLine &line, int ring, in
         return from(line, reach);
     const OutlineCrossing ends[] = {{0.0, m_outline.entryAt(line, ring, vertex), false}, *ahead};
     const Run run{&ends[0], &ends[1], 2};
-    CutChord result{chordsOf(line, run), 0};
-    if (!weigh(run, result.cut))
-        return from(line, reach);
-    return result;
+    auto found = cutOf(line, run, 0);
+    return found ? std::move(found) : from(line, reach);
 }
 
 std::optional<CutChord> LineCutter::nearest(const CutLine &line, double within, double reach)
@@ -302,9 +303,9 @@ std::optional<CutChord> LineCutter::nearest(const CutLine &line, double within, 
 void cutsOn(const SectionOutline &outline, const CutLine &line, std::vector<LineCut> &cuts)
 {
     cuts.clear();
-    LineCutter(outline).eachOn(line, [&cuts](LineCut &cut, auto weigh) {
-        if (weigh())
-            cuts.push_back(std::move(cut));
+    LineCutter(outline).eachOn(line, [&cuts](const LineCutter::Chords &, auto make) {
+        if (auto found = make())
+            cuts.push_back(std::move(found->cut));
     });
 }
 

@@ -46,12 +46,34 @@ struct CutChord
 /// again. Not for several threads at once.
 class LineCutter
 {
+    struct Run;
+
 public:
+    /// Those of one cut, in their order along the line.
+    class Chords
+    {
+    public:
+        explicit Chords(const Run &run) : m_run(run) {}
+
+        std::size_t size() const
+        {
+            return static_cast<std::size_t>(m_run.last - m_run.first + 1) / 2;
+        }
+        Chord operator[](std::size_t i) const
+        {
+            const OutlineCrossing &begin = m_run.first[2 * i], &end = m_run.first[2 * i + 1];
+            return {begin.along, end.along, begin.point, end.point};
+        }
+
+    private:
+        const Run &m_run;
+    };
+
     explicit LineCutter(const SectionOutline &outline) : m_outline(outline) {}
 
-    /// Calls use(cut, weigh) for every cut on the line, with chords but no sides yet, which weigh()
-    /// adds: false if one of them has no area, it is none then. Robust against vertices on the
-    /// line: they count as to its left. O(edges near the line + holes).
+    /// Calls use(chords, make) for every cut on the line. make() is all of it, with its first
+    /// chord, or nothing if one of its sides has no area: it is none then. Robust against vertices
+    /// on the line: they count as to its left. O(edges near the line + holes).
     template <class Use>
     void eachOn(const CutLine &line, Use use)
     {
@@ -62,10 +84,8 @@ public:
     template <class Use>
     void eachOf(const CutLine &line, std::span<const OutlineCrossing> crossings, Use use)
     {
-        for (Run run; nextRun(crossings, run);) {
-            LineCut cut = chordsOf(line, run);
-            use(cut, [&] { return weigh(run, cut); });
-        }
+        for (Run run; nextRun(crossings, run);)
+            use(Chords(run), [&] { return cutOf(line, run, 0); });
     }
 
     /// The cuts to come are near to the point, most of them within so many mm: of these all are
@@ -93,7 +113,7 @@ private:
         std::size_t next = 0; // index of the crossing behind
     };
     static bool nextRun(std::span<const OutlineCrossing> crossings, Run &run);
-    static LineCut chordsOf(const CutLine &line, const Run &run);
+    std::optional<CutChord> cutOf(const CutLine &line, const Run &run, int chord) const;
     bool weigh(const Run &run, LineCut &cut) const;
 
     /// Which chords are wanted: those that meet a stretch of the line, or begin there.

@@ -46,6 +46,11 @@ struct EndNormals
     void add(const Vec2 &normal) { normals[static_cast<std::size_t>(count++)] = normal; }
 };
 
+bool isAtVertex(const Vec2 &p, const Vec2 &vertex)
+{
+    return (p - vertex).squaredNorm() <= kAtVertex * kAtVertex;
+}
+
 bool isSmooth(const Vec2 &before, const Vec2 &after)
 {
     return before.dot(after) > 0.0 && std::abs(cross(before, after)) < kSmoothSine;
@@ -74,11 +79,11 @@ EndNormals endNormals(const SectionOutline &outline, const OutlinePoint &point, 
 {
     EndNormals result;
     int vertex = point.edge;
-    const bool isAtVertex = (point.at - outline.vertex(point.ring, vertex)).norm() <= kAtVertex ||
-                            (point.at - outline.vertex(point.ring, ++vertex)).norm() <= kAtVertex;
+    const bool isAtOne = isAtVertex(point.at, outline.vertex(point.ring, vertex)) ||
+                         isAtVertex(point.at, outline.vertex(point.ring, ++vertex));
     const Vec2 &before = outline.outward(point.ring, vertex - 1);
     const Vec2 &after = outline.outward(point.ring, vertex);
-    if (!isAtVertex || isSmooth(before, after)) {
+    if (!isAtOne || isSmooth(before, after)) {
         result.add(smoothNormal(outline, point, kSmoothShare * chord));
         return result;
     }
@@ -107,18 +112,19 @@ void measureLean(const EndNormals &begins, const EndNormals &ends, const Vec2 &w
         for (int j = 0; j < ends.count; ++j) {
             const Vec2 span = ends.normals[static_cast<std::size_t>(j)] -
                               begins.normals[static_cast<std::size_t>(i)];
-            const bool isSameSide = span.norm() < kSameSideNormals || span.dot(way) <= 0.0;
-            const Vec2 across = isSameSide ? way : Vec2(span.normalized());
+            const double width = span.norm();
+            const bool isSameSide = width < kSameSideNormals || span.dot(way) <= 0.0;
+            const Vec2 across = isSameSide ? way : Vec2(span / width);
             const double straight = way.dot(across);
             const bool isGood = !isSameSide && straight >= kLeastStraight;
             const bool wasGood = !neck.isSameSide && neck.straight >= kLeastStraight;
             const bool isBetter = isGood != wasGood ? isGood
-                                  : isGood          ? span.norm() > widest
+                                  : isGood          ? width > widest
                                                     : straight > neck.straight;
             if (!isFirst && !isBetter)
                 continue;
             isFirst = false;
-            widest = span.norm();
+            widest = width;
             neck.isSameSide = isSameSide;
             neck.across = across;
             neck.straight = straight;
@@ -130,7 +136,7 @@ bool isAtCornerOf(const SectionOutline &outline, const OutlinePoint &point)
 {
     for (const int index : {point.edge, point.edge + 1})
         if (outline.isReentrant(point.ring, index) &&
-            (point.at - outline.vertex(point.ring, index)).norm() <= kAtVertex)
+            isAtVertex(point.at, outline.vertex(point.ring, index)))
             return true;
     return false;
 }
@@ -204,16 +210,17 @@ Box2 shadowedBy(const SlitLine &slit)
 void shadow(const PieceShape &shape, int index, Neck &neck)
 {
     const SlitLine &slit = shape.slits[static_cast<std::size_t>(index)];
-    const double rise = (neck.end - neck.begin).normalized().dot(slit.opening);
-    if (std::abs(rise) < kBesideCosine || !shape.netCuts[static_cast<std::size_t>(index)])
-        return;
+    const Vec2 chord = neck.end - neck.begin;
+    const double rise = chord.dot(slit.opening);
     const Vec2 &low = rise > 0.0 ? neck.begin : neck.end,
                &high = rise > 0.0 ? neck.end : neck.begin;
     // Along the slit from its root, and beside its middle.
     const Vec2 side = perpendicular(slit.opening);
     const double lowAlong = slit.opening.dot(low - slit.root);
     const double highAlong = slit.opening.dot(high - slit.root);
-    if (lowAlong >= 0.0 || highAlong <= 0.0)
+    if (lowAlong >= 0.0 || highAlong <= 0.0 ||
+        std::abs(chord.normalized().dot(slit.opening)) < kBesideCosine ||
+        !shape.netCuts[static_cast<std::size_t>(index)])
         return;
     const Vec2 level = low + (lowAlong / (lowAlong - highAlong)) * (high - low);
     const double beside = side.dot(level - slit.root), sign = beside >= 0.0 ? 1.0 : -1.0;
@@ -332,8 +339,8 @@ void measure(const PieceShape &shape, const LineCut &cut, int chordIndex, Neck &
         [&](const Box2 &corners) { return distanceToBox(corners, middle) < neck.length; },
         [&](std::size_t i) {
             const Vec2 &at = shape.corners[i].at;
-            return (at - middle).norm() < neck.length && (at - neck.begin).norm() > kAtVertex &&
-                   (at - neck.end).norm() > kAtVertex;
+            return (at - middle).squaredNorm() < neck.length * neck.length &&
+                   !isAtVertex(at, neck.begin) && !isAtVertex(at, neck.end);
         });
     const double depth = std::min(cut.minus.area, cut.plus.area) / neck.length; // of a side
     neck.isStubby = depth < neck.length;

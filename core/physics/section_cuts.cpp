@@ -5,6 +5,7 @@
 #include "core/physics/parallel_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -36,6 +37,9 @@ constexpr double kSameLine = 1e-6;
 /// before the next chord may be that is found at once.
 constexpr double kFirstReach = 8.0;
 constexpr double kNextReach = 1.5;
+/// Cuts that a slit comes to, and the grid, mostly.
+constexpr std::size_t kOfSlit = 2 * (2 * kFanSteps + 2) + 2;
+constexpr std::size_t kUsualOfGrid = 128;
 /// Lines of one direction at the most, whatever the spacing given.
 constexpr int kMaxLines = 1000;
 
@@ -44,9 +48,22 @@ Vec2 unit(double angle)
     return {std::cos(angle), std::sin(angle)};
 }
 
-Vec2 rotated(const Vec2 &a, double angle)
+/// By the angle of a unit vector.
+Vec2 rotated(const Vec2 &a, const Vec2 &turn)
 {
-    return std::cos(angle) * a + std::sin(angle) * perpendicular(a);
+    return turn.x() * a + turn.y() * perpendicular(a);
+}
+
+/// Of the rays of a fan, from its middle.
+const std::array<Vec2, 2 * kFanSteps + 1> &fanTurns()
+{
+    static const auto turns = [] {
+        std::array<Vec2, 2 * kFanSteps + 1> all;
+        for (int k = -kFanSteps; k <= kFanSteps; ++k)
+            all[static_cast<std::size_t>(k + kFanSteps)] = unit(k * kFanStep);
+        return all;
+    }();
+    return turns;
 }
 
 /// What of the edge from a corner's p to q has values ≥ 0 of something linear: narrows from … to.
@@ -66,7 +83,8 @@ class FacingCone
 {
 public:
     FacingCone(const Vec2 &before, const Vec2 &after) // the outward normals
-        : m_low(rotated(-after, -kLigamentLean)), m_high(rotated(-before, kLigamentLean))
+        : m_low(rotated(-after, unit(-kLigamentLean))),
+          m_high(rotated(-before, unit(kLigamentLean)))
     {
         // An outward normal turned left is its edge's direction: this points away from the void.
         m_axis = perpendicular(before) - perpendicular(after);
@@ -171,8 +189,8 @@ void SampleMaker::addSlit(std::size_t index)
     for (const double sign : {-0.5, 0.5}) {
         const OutlinePoint corner = cornerNear(slit.root + sign * slit.width * side);
         m_cutter.focus(corner.at, m_reach);
-        for (int k = -kFanSteps; k <= kFanSteps; ++k)
-            addFrom(corner, rotated(-slit.opening, k * kFanStep), SampleKind::SlitFan);
+        for (const Vec2 &turn : fanTurns())
+            addFrom(corner, rotated(-slit.opening, turn), SampleKind::SlitFan);
         addFrom(corner, sign > 0.0 ? side : Vec2(-side), SampleKind::ProngRoot);
     }
     if (m_shape.netCuts[index])
@@ -203,9 +221,9 @@ void SampleMaker::addLigament(const ReentrantCorner &corner)
     const SectionOutline &outline = m_shape.outline;
     const FacingCone cone(outline.outward(corner.ring, corner.vertex - 1),
                           outline.outward(corner.ring, corner.vertex));
-    double least = std::numeric_limits<double>::infinity();
-    Vec2 nearest = Vec2::Zero();
-    outline.visitNear(corner.at, least, [&](int ring, int edge) {
+    double least = m_reach;
+    std::optional<Vec2> nearest;
+    const auto look = [&](int ring, int edge) {
         const int count = static_cast<int>(outline.rings()[static_cast<std::size_t>(ring)].size());
         if (ring == corner.ring && (edge == corner.vertex || (edge + 1) % count == corner.vertex))
             return;
@@ -217,31 +235,39 @@ void SampleMaker::addLigament(const ReentrantCorner &corner)
             least = p->norm();
             nearest = *p;
         }
-    });
-    if (least < std::numeric_limits<double>::infinity()) {
+    };
+    outline.visitNear(corner.at, least, look);
+    if (!nearest) {
+        least = std::numeric_limits<double>::infinity();
+        outline.visitNear(corner.at, least, look);
+    }
+    if (nearest) {
         m_cutter.focus(corner.at, kNextReach * least);
-        addFrom({corner.ring, corner.vertex, 0.0, corner.at}, nearest / least,
+        addFrom({corner.ring, corner.vertex, 0.0, corner.at}, *nearest / least,
                 SampleKind::Ligament);
     }
 }
 
 void SampleMaker::addLine(const CutLine &line, std::span<const OutlineCrossing> crossings)
 {
-    m_cutter.eachOf(line, crossings, [&](LineCut &cut, auto weigh) {
+    m_cutter.eachOf(line, crossings, [&](const LineCutter::Chords &chords, auto make) {
         m_found.clear();
         const int index = static_cast<int>(m_cuts.size());
-        for (std::size_t i = 0; i < cut.chords.size(); ++i) {
-            const Neck neck = leaningNeck(m_shape, line, cut.chords[i]);
+        for (std::size_t i = 0; i < chords.size(); ++i) {
+            const Neck neck = leaningNeck(m_shape, line, chords[i]);
             if (counts(neck) && neck.straight >= kGridStraight)
                 m_found.push_back({SampleKind::Grid, index, static_cast<int>(i), neck});
         }
-        if (m_found.empty() || !weigh())
+        if (m_found.empty())
+            return;
+        auto made = make();
+        if (!made)
             return;
         for (CutSample &sample : m_found) {
-            measure(m_shape, cut, sample.chord, sample.neck);
+            measure(m_shape, made->cut, sample.chord, sample.neck);
             m_samples.push_back(sample);
         }
-        m_cuts.push_back(std::move(cut));
+        m_cuts.push_back(std::move(made->cut));
     });
 }
 
@@ -270,12 +296,18 @@ constexpr double kPieceArea = 50.0;
 
 bool isAtSlit(const PieceShape &shape, const Neck &neck)
 {
-    return std::any_of(shape.slits.begin(), shape.slits.end(), [&neck](const SlitLine &slit) {
-        const Vec2 mouth = slit.root + slit.depth * slit.opening;
-        const double reach = 0.5 * slit.width + kCornerReach;
-        return std::min(distanceToSegment(neck.begin, slit.root, mouth),
-                        distanceToSegment(neck.end, slit.root, mouth)) < reach;
-    });
+    return shape.slitZones.any(
+        [&neck](const Box2 &zone) {
+            return std::min(distanceToBox(zone, neck.begin), distanceToBox(zone, neck.end)) <
+                   kCornerReach;
+        },
+        [&](std::size_t i) {
+            const SlitLine &slit = shape.slits[i];
+            const Vec2 mouth = slit.root + slit.depth * slit.opening;
+            const double reach = 0.5 * slit.width + kCornerReach;
+            return std::min(distanceToSegment(neck.begin, slit.root, mouth),
+                            distanceToSegment(neck.end, slit.root, mouth)) < reach;
+        });
 }
 
 /// Of those that have nothing to do with slits. −1: there is none.
@@ -304,6 +336,11 @@ SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_sha
                          m_shape.size / kMaxLines);
     if (m_shape.outline.isEmpty())
         return;
+    // About as many as there will be: lists that grow are copied over and over.
+    const std::size_t about =
+        kUsualOfGrid + kOfSlit * m_shape.slits.size() + m_shape.corners.size();
+    m_cuts.reserve(about);
+    m_samples.reserve(about);
     SampleMaker maker(m_shape, m_spacing, m_cuts, m_samples);
     maker.addGrid(std::clamp(options.gridShift, 0.0, 1.0));
     for (std::size_t i = 0; i < m_shape.slits.size(); ++i)
