@@ -157,6 +157,9 @@ public:
     std::vector<NeckStress> take()
     {
         std::vector<NeckStress> lines = std::move(m_refined);
+        const auto isKept = [](const std::optional<NeckStress> &line) { return line.has_value(); };
+        const auto kept = std::count_if(m_samples.begin(), m_samples.end(), isKept);
+        lines.reserve(lines.size() + static_cast<std::size_t>(kept));
         for (const auto &line : m_samples)
             if (line)
                 lines.push_back(*line);

@@ -72,16 +72,20 @@ SideForce plusForce(const SectionOutline &outline, const LineCut &cut, const Sum
     side.force = cut.plus.area * arealWeight;
     side.moment = momentOf(cut.plus.first, arealWeight);
     // Stretch by stretch, around what is near, so that nothing is taken off again.
+    const auto add = [&](int from, int to) {
+        if (from < to)
+            side += forces.sum(from, to);
+    };
     auto near = plus.near.begin();
     for (const PlusSites::Run &run : plus.runs) {
         int from = run.begin;
         for (; near != plus.near.end() && near->place < run.end; ++near) {
             if (near->place < run.begin)
                 continue;
-            side += forces.sum(from, near->place);
+            add(from, near->place);
             from = near->place + 1;
         }
-        side += forces.sum(from, run.end);
+        add(from, run.end);
     }
     for (const PlusSites::Near &one : plus.near)
         addPart(outline, forces.at(one.place), one.plus, fit, side);

@@ -92,9 +92,14 @@ double distanceToForce(const SummedForces &forces, const PlusSitesView &plus, bo
     return least;
 }
 
-/// A force acts nearer to a neck's middle than it is long.
-bool isNearForce(const SummedForces &forces, const Neck &neck)
+/// A force acts nearer to a neck's middle than it is long, or presses on a slit that is parted.
+bool isNearForce(const LoadedPiece &piece, const Neck &neck, const PlusSitesView &sites)
 {
+    const SummedForces &forces = piece.forces;
+    if (std::any_of(sites.near.begin(), sites.near.end(), [&](const PlusSites::Near &near) {
+            return near.plus.isPartOfSlit() && forces.isLoaded(near.place);
+        }))
+        return true;
     const Vec2 middle = neck.middle();
     return forces.sites().boxes().any(
         [&](const Box2 &box) { return distanceToBox(box, middle) < neck.length; },
@@ -132,12 +137,7 @@ NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &ne
     doubts.isNearCorner = neck.isNearCorner;
     doubts.isCurved = neck.isCurved;
     doubts.isNarrow = neck.length < kPlateWidths * piece.sheet.thickness;
-    doubts.isNearForce =
-        std::any_of(sites.near.begin(), sites.near.end(),
-                    [&](const PlusSites::Near &near) {
-                        return near.plus.isPartOfSlit() && piece.forces.isLoaded(near.place);
-                    }) ||
-        isNearForce(piece.forces, neck);
+    doubts.isNearForce = isNearForce(piece, neck, sites);
     doubts.isRedundant = cut.chords.size() > 1 && isBesideHoles(piece.forces, cut, neck);
     // No bar within a piece is longer than twice its size: what would not buckle then is not asked
     // for how long it is.
@@ -276,13 +276,19 @@ NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, co
     return result;
 }
 
+bool isLocal(const LoadedPiece &piece, const Neck &neck, const PlusSitesView &sites,
+             const NeckStress &stress)
+{
+    return isWithinPatch(piece, neck, sites) ||
+           (neck.isCap && (stress.kind == SampleKind::Grid || stress.kind == SampleKind::Refined) &&
+            isNearForce(piece, neck, sites));
+}
+
 void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
                const PlusSitesView &sites, NeckStress &stress)
 {
     stress.doubts = doubtsOf(piece, cut, neck, sites, stress.forces);
-    stress.isLocal = isWithinPatch(piece, neck, sites) ||
-                     (neck.isCap && stress.doubts.isNearForce &&
-                      (stress.kind == SampleKind::Grid || stress.kind == SampleKind::Refined));
+    stress.isLocal = isLocal(piece, neck, sites, stress);
 }
 
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
@@ -316,12 +322,14 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, do
         piece.forces.sites().onPlusSide(cut, sites);
         const SideForce plus =
             plusForce(piece.shape.outline, cut, piece.forces, sites, piece.sheet.arealWeight);
-        const NeckStress here =
-            neckStress(piece, cut, found->cut.chord, found->neck, SampleKind::Refined, sites, plus);
-        if (here.isLocal)
+        NeckStress here =
+            undoubted(piece, cut, found->cut.chord, found->neck, SampleKind::Refined, sites, plus);
+        if (isLocal(piece, found->neck, sites, here))
             return 0.0;
-        if (!best || here.neckUse > best->neckUse)
+        if (!best || here.neckUse > best->neckUse) {
+            addDoubts(piece, cut, found->neck, sites, here);
             best = here;
+        }
         return here.neckUse;
     };
     use(0.0);

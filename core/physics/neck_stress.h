@@ -35,6 +35,9 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
 /// which takes longer.
 NeckStress undoubted(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
                      SampleKind kind, const PlusSitesView &sites, const SideForce &plus);
+/// Of a stress without doubts whether it is one of a member.
+bool isLocal(const LoadedPiece &piece, const Neck &neck, const PlusSitesView &sites,
+             const NeckStress &stress);
 void addDoubts(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
                const PlusSitesView &sites, NeckStress &stress);
 

@@ -27,7 +27,8 @@ double shareOf(const SectionCuts &cuts, const SideForce &rest,
 bool isBeside(const Neck &neck, const Neck &other, double reach)
 {
     const Vec2 way = neck.middle() - other.middle();
-    return way.norm() < reach && std::abs(other.across.dot(way)) < 0.5 * other.length;
+    return way.squaredNorm() < reach * reach &&
+           std::abs(other.across.dot(way)) < 0.5 * other.length;
 }
 
 } // namespace
