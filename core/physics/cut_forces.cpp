@@ -8,37 +8,43 @@ namespace fff {
 namespace {
 
 /// What of a link's force is on a side: what walls bear on their stretches, the rest at its root.
-void addLink(const SectionOutline &outline, const AppliedForce &link, const PlusShare &plus,
-             SlitFit fit, SideForce &side)
+void addLink(const SectionOutline &outline, const AppliedForce &link,
+             const SummedForces::LinkParts &parts, const PlusShare &plus, SlitFit fit,
+             SideForce &side)
 {
-    const Vec2 e = perpendicular(link.slit.opening);
-    const Vec3 across(e.x(), e.y(), 0.0);
-    const WallPressure pressure(link);
     WallForce pressed;
     for (const bool isLeft : {true, false}) {
         const WallStretch &stretch = plus.walls[isLeft ? 0 : 1];
-        const WallForce part = pressure.on(isLeft, stretch.from, stretch.to, fit);
+        const WallForce part = parts.pressure.on(isLeft, stretch.from, stretch.to, fit);
         pressed.force += part.force;
         pressed.moment += part.moment;
     }
-    const Vec3 onWalls = pressed.force * across;
-    const Vec3 rest = plus.share * (link.force - across.dot(link.force) * across);
+    const Vec3 onWalls = pressed.force * parts.across;
+    const Vec3 rest = plus.share * parts.rest;
     side.force += onWalls + rest;
     side.moment += momentOf(link.at - outline.base(), onWalls) + pressed.moment * Vec3::UnitZ();
     side.moment += plus.share * Vec3(link.moment.x(), link.moment.y(), 0.0) +
                    momentOf(plus.at - outline.base(), rest);
 }
 
-void addPart(const SectionOutline &outline, const AppliedForce &force, const PlusShare &plus,
-             SlitFit fit, SideForce &side)
+void addPart(const SectionOutline &outline, const SummedForces &forces, int place,
+             const PlusShare &plus, SlitFit fit, SideForce &side)
 {
+    const AppliedForce &force = forces.at(place);
     if (plus.hasWalls)
-        return addLink(outline, force, plus, fit, side);
+        return addLink(outline, force, forces.linkAt(place), plus, fit, side);
     if (plus.share == 0.0)
         return;
     const Vec3 f = plus.share * force.force;
     side.force += f;
     side.moment += plus.share * force.moment + momentOf(plus.at - outline.base(), f);
+}
+
+SummedForces::LinkParts partsOf(const AppliedForce &link)
+{
+    const Vec2 e = perpendicular(link.slit.opening);
+    const Vec3 across(e.x(), e.y(), 0.0);
+    return {WallPressure(link), across, link.force - across.dot(link.force) * across};
 }
 
 SideForce allOf(const SectionOutline &outline, const AppliedForce &force)
@@ -56,12 +62,15 @@ SummedForces::SummedForces(const SectionOutline &outline, const ForceSites &site
     int loaded = 0;
     m_sums.push_back(sum);
     m_loaded.push_back(loaded);
+    m_links.resize(static_cast<std::size_t>(sites.size()));
     for (int place = 0; place < sites.size(); ++place) {
         const AppliedForce &force = at(place);
         sum += allOf(outline, force);
         loaded += force.force.isZero(0.0) && force.moment.isZero(0.0) ? 0 : 1;
         m_sums.push_back(sum);
         m_loaded.push_back(loaded);
+        if (sites.at(place).hasWalls)
+            m_links[static_cast<std::size_t>(place)] = partsOf(force);
     }
 }
 
@@ -88,7 +97,7 @@ SideForce plusForce(const SectionOutline &outline, const LineCut &cut, const Sum
         add(from, run.end);
     }
     for (const PlusSites::Near &one : plus.near)
-        addPart(outline, forces.at(one.place), one.plus, fit, side);
+        addPart(outline, forces, one.place, one.plus, fit, side);
     return side;
 }
 

@@ -67,11 +67,22 @@ public:
     }
     bool isLoaded(int place) const { return loaded(place, place + 1) > 0; }
 
+    /// What the force of a link comes to: what presses on the walls of its slit, and the rest.
+    struct LinkParts
+    {
+        WallPressure pressure;
+        Vec3 across = Vec3::Zero(); // unit, normal to the walls
+        Vec3 rest = Vec3::Zero();   // N
+    };
+    /// Of a place whose site has walls.
+    const LinkParts &linkAt(int place) const { return m_links[static_cast<std::size_t>(place)]; }
+
 private:
     const ForceSites &m_sites;
     const std::vector<AppliedForce> &m_forces;
-    std::vector<SideForce> m_sums; // before each place, and behind the last one
-    std::vector<int> m_loaded;     // as these
+    std::vector<SideForce> m_sums;  // before each place, and behind the last one
+    std::vector<int> m_loaded;      // as these
+    std::vector<LinkParts> m_links; // by places
 };
 
 /// O(runs + what is near).

@@ -33,6 +33,8 @@ struct WallForce
 class WallPressure
 {
 public:
+    /// None.
+    WallPressure() = default;
     /// Of the force of a link with a slit of some depth.
     explicit WallPressure(const AppliedForce &link);
 
