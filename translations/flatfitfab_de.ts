@@ -9252,16 +9252,16 @@
         <translation>Flächen</translation>
     </message>
     <message>
-        <source>Faces, at most</source>
-        <translation>Höchstens</translation>
-    </message>
-    <message>
         <source>Make facets</source>
         <translation>Aus Flächen bauen</translation>
     </message>
     <message>
-        <source>Builds it of flat sheets with fingers along their edges. The mesh is simplified first; faces that lie flat together are one sheet.</source>
-        <translation>Baut es aus flachen Scheiben mit Fingerzinken an den Kanten. Das Netz wird erst vereinfacht; Flächen in einer Ebene werden eine Scheibe.</translation>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Builds it of flat sheets with fingers along their edges. The mesh is simplified to so many faces first; those that lie flat together are one sheet.</source>
+        <translation>Baut es aus flachen Scheiben mit Fingerzinken an den Kanten. Das Netz wird erst auf so viele Flächen vereinfacht; die in einer Ebene werden eine Scheibe.</translation>
     </message>
 </context>
 <context>
@@ -11715,6 +11715,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Stand upright</source>
         <translation>Aufrichten</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation>Lage und Größe</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace fff::ui {
 
@@ -17,6 +18,17 @@ namespace {
 
 constexpr int kNumberField = 72, kButtonGap = 6; // px
 constexpr int kSuggestedSlid = 40, kFacesSlid = 200;
+
+void addButtons(PropertyGroup *group, std::initializer_list<QWidget *> buttons)
+{
+    auto *all = new QWidget(group);
+    auto *column = new QVBoxLayout(all);
+    column->setContentsMargins(0, kButtonGap, 0, 0);
+    column->setSpacing(kButtonGap);
+    for (QWidget *button : buttons)
+        column->addWidget(button);
+    group->add(all);
+}
 
 } // namespace
 
@@ -36,30 +48,34 @@ MakingGroup::MakingGroup(QWidget *parent) : QWidget(parent)
     });
     connect(m_more, &QPushButton::clicked, this, &MakingGroup::oneMoreWanted);
     connect(m_another, &QPushButton::clicked, this, &MakingGroup::anotherWanted);
-    auto *buttons = new QHBoxLayout;
-    buttons->setSpacing(kButtonGap);
-    for (QPushButton *one : {suggest, m_more, m_another})
-        buttons->addWidget(one);
+    auto *others = new QWidget(sections);
+    auto *row = new QHBoxLayout(others);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kButtonGap);
+    row->addWidget(m_more);
+    row->addWidget(m_another);
+    addButtons(sections, {suggest, others});
 
     auto *sheets = new PropertyGroup(tr("Facets"), this);
-    SliderField *faces = number(sheets, tr("Faces, at most"), "facetFaces",
+    SliderField *faces = number(sheets, tr("Faces"), "facetFaces",
                                 {int(kFewestFaces), kFacesSlid, int(kMostFacets)}, &m_faces);
     QPushButton *facets =
         button(tr("Make facets"), "makeFacets",
                tr("Builds it of flat sheets with fingers along their edges. The mesh is simplified "
-                  "first; faces that lie flat together are one sheet."));
+                  "to so many faces first; those that lie flat together are one sheet."));
     connect(facets, &QPushButton::clicked, this, [this, faces] {
         faces->settle();
         Q_EMIT facetsWanted(m_faces);
     });
 
+    addButtons(sheets, {facets});
+    sheets->fold();
+
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kButtonGap);
+    column->setSpacing(0);
     column->addWidget(sections);
-    column->addLayout(buttons);
     column->addWidget(sheets);
-    column->addWidget(facets);
     refresh(false, false);
 }
 

@@ -97,7 +97,18 @@ QWidget *TemplatesDock::makeFields()
     auto *column = new QVBoxLayout(m_fields);
     column->setContentsMargins(kFieldsMargin, 0, kFieldsMargin, kFieldsMargin);
     column->setSpacing(0);
-    m_group = new PropertyGroup(QString(), m_fields);
+    auto *slices = new QPushButton(themedIcon(QStringLiteral("slices")), tr("Slices…"), m_fields);
+    slices->setObjectName(QStringLiteral("templateSlices"));
+    slices->setToolTip(tr("Cut it into sections that follow it"));
+    slices->setAutoDefault(false);
+    connect(slices, &QPushButton::clicked, this, [this] {
+        if (const Template *one = chosen())
+            m_bench.run(QStringLiteral("operation.slices"), {{"template", one->name}});
+    });
+    column->addWidget(slices);
+    column->addSpacing(6);
+    column->addWidget(makeMaking());
+    m_group = new PropertyGroup(tr("Place and size"), m_fields);
     const auto add = [this](PropertyRow *row) {
         m_group->add(row);
         m_rows.push_back(row);
@@ -164,16 +175,6 @@ QWidget *TemplatesDock::makeFields()
         },
         m_group));
     column->addWidget(m_group);
-    column->addSpacing(8);
-
-    auto *slices = new QPushButton(themedIcon(QStringLiteral("slices")), tr("Slices…"), m_fields);
-    slices->setObjectName(QStringLiteral("templateSlices"));
-    slices->setToolTip(tr("Cut it into sections that follow it"));
-    slices->setAutoDefault(false);
-    connect(slices, &QPushButton::clicked, this, [this] {
-        if (const Template *one = chosen())
-            m_bench.run(QStringLiteral("operation.slices"), {{"template", one->name}});
-    });
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(6);
     for (const auto &[text, id, name, tip] :
@@ -192,10 +193,6 @@ QWidget *TemplatesDock::makeFields()
         buttons->addWidget(button);
     }
     column->addLayout(buttons);
-    column->addSpacing(6);
-    column->addWidget(slices);
-    column->addSpacing(6);
-    column->addWidget(makeMaking());
     column->addStretch();
     area->setWidget(m_fields);
     return area;

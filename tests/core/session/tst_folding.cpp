@@ -119,7 +119,8 @@ void TestFolding::onlyWhatNothingElseHolds()
 {
     QFETCH(MeshDraft, draft);
     QFETCH(bool, folds);
-    for (const double clearance : {0.0, 0.2}) {
+    // A tight fit holds a little by friction, which is not what is asked here.
+    for (const double clearance : {0.1, 0.2}) {
         const std::vector<Finding> findings = judged(facetsOf(draft, clearance));
         QCOMPARE(foldsIn(findings) != nullptr, folds);
         QCOMPARE(find(findings, kHolds) != nullptr, !folds);
@@ -133,7 +134,7 @@ void TestFolding::aLidIsNotHeldByItsFingers()
         const Document document = facetsOf(sidesOf(sides), 0.1);
         Load push;
         push.kind = LoadKind::Push;
-        push.push = Vec3(0.0, 0.0, 20.0); // outwards
+        push.push = Vec3(0.0, 0.0, 0.3); // outwards: more than the lid weighs, less than the box
         for (const SectionPointer &section : document.sections)
             if (section->frame.normal().y() > 0.9)
                 push.section = section->id;
