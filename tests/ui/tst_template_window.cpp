@@ -31,6 +31,25 @@ private Q_SLOTS:
     void facetsTakeThePlaceOfTheMesh();
 
 private:
+    /// On the ground, and chosen in the list.
+    void chooseBall()
+    {
+        addBall();
+        bench().run(QStringLiteral("template.toGround"));
+        auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
+        dock->show();
+        dock->raise();
+        auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"));
+        tree->setCurrentItem(tree->topLevelItem(0));
+    }
+    void type(const char *field, const QString &text)
+    {
+        auto *edit = m_window->findChild<QDoubleSpinBox *>(QLatin1String(field));
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, text);
+        QTest::keyClick(edit, Qt::Key_Return);
+    }
     void push(const char *button)
     {
         QTest::mouseClick(m_window->findChild<QPushButton *>(QLatin1String(button)),
@@ -95,13 +114,7 @@ void TestTemplateWindow::theListHidesLocksAndRemoves()
 // One that is not liked goes for the next: nobody has to undo it, nor does it stay in the history.
 void TestTemplateWindow::suggestionsComeOneStepEach()
 {
-    addBall();
-    auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
-    dock->show();
-    dock->raise();
-    m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"))
-        ->setCurrentItem(
-            m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"))->topLevelItem(0));
+    chooseBall();
     const auto *another = m_window->findChild<QPushButton *>(QStringLiteral("suggestAnother"));
     const auto *more = m_window->findChild<QPushButton *>(QStringLiteral("suggestOneMore"));
     QVERIFY(!another->isEnabled() && !more->isEnabled());
@@ -117,8 +130,7 @@ void TestTemplateWindow::suggestionsComeOneStepEach()
     push("suggestOneMore");
     QCOMPARE(count(), found + 1);
     QCOMPARE(steps(), before + 2);
-    auto *field = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("suggestCount.field"));
-    field->setValue(3.0);
+    type("suggestCount.field", QStringLiteral("3"));
     push("suggestSections"); // another number: not three more
     QCOMPARE(count(), std::size_t(3));
     QCOMPARE(steps(), before + 1);
@@ -135,18 +147,14 @@ void TestTemplateWindow::suggestionsComeOneStepEach()
 
 void TestTemplateWindow::facetsTakeThePlaceOfTheMesh()
 {
-    addBall();
-    m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"))->show();
-    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"));
-    tree->setCurrentItem(tree->topLevelItem(0));
+    chooseBall();
     const int before = steps();
-    auto *faces = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("facetFaces.field"));
-    faces->setValue(20.0);
+    type("facetFaces.field", QStringLiteral("20"));
     push("makeFacets");
     QVERIFY(count() >= 8 && count() <= 20);
     QVERIFY(ball().isHidden);
     QCOMPARE(steps(), before + 1);
-    faces->setValue(12.0);
+    type("facetFaces.field", QStringLiteral("12"));
     push("makeFacets"); // fewer, not more besides
     QVERIFY(count() >= 4 && count() <= 12);
     QCOMPARE(steps(), before + 1);
