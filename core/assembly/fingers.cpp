@@ -99,11 +99,14 @@ void addFingers(const CornerSide &a, const CornerSide &b, const Stretch &room, i
                 double play, int overlap, JointSlits &slits)
 {
     const double share = (room.to - room.from) / count;
-    for (int k = 0; k < count; ++k) {
-        const double from = room.from + k * share + 0.25 * play;
+    // None at the ends, where a step would be a crumb.
+    const auto between = [&](int k, double offset) {
+        return room.from + k * share + (k == 0 || k == count ? 0.0 : offset);
+    };
+    for (int k = 0; k < count; ++k)
         (k % 2 == 0 ? slits.a : slits.b)
-            .push_back(fingerOf(k % 2 == 0 ? a : b, from, from + share - 0.5 * play, overlap));
-    }
+            .push_back(fingerOf(k % 2 == 0 ? a : b, between(k, 0.25 * play),
+                                between(k + 1, -0.25 * play), overlap));
     for (const Stretch &edge : common(a.inside(a.root()), b.inside(b.root()))) {
         if (edge.to <= room.from || edge.from >= room.to)
             continue;

@@ -74,13 +74,19 @@ public:
                     m_support.isAxisFree || hasFingers() ? Balance::Mechanism : Balance::Topples;
             return;
         }
-        if (hasFingers() && folds()) {
-            m_state.balance = Balance::Mechanism;
-            return;
-        }
         write(*forces);
-        if (m_support.isGripUnlimited)
-            return;
+        if (!m_support.isGripUnlimited)
+            letGo();
+        if (m_state.balance != Balance::Mechanism && hasFingers() && folds()) {
+            m_state.balance = Balance::Mechanism;
+            m_state.openLinks.clear();
+        }
+    }
+
+private:
+    /// Links that are asked for more than their grip give way.
+    void letGo()
+    {
         for (std::size_t i = 0; i < m_state.parts.links.size(); ++i) {
             const int link = m_state.parts.links[i];
             if (m_result.links[link].pull >
@@ -100,7 +106,6 @@ public:
         }
     }
 
-private:
     /// The springs of `found` in balance with the loads, pinned feet held only while they press.
     std::optional<SpringForces> search(bool isBounded)
     {
