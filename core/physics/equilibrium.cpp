@@ -172,7 +172,8 @@ private:
                 leaning.gravity = m_structure.gravity + lean * m_structure.gravity.norm() * axis;
                 EquilibriumCache cache;
                 ComponentState state = m_state;
-                if (ComponentSolver(leaning, m_support, cache, state, m_result).search(true))
+                if (ComponentSolver(leaning, m_support, cache, state, m_result)
+                        .search(!m_support.isGripUnlimited))
                     continue;
                 m_state.motion = std::move(state.motion);
                 m_state.offenders = std::move(state.offenders);
