@@ -64,7 +64,7 @@ Result<LoadedTemplate> readTemplateFile(const QString &path, const TemplateFileO
     made.blob = loaded.blob ? loaded.blob->sha256 : std::string();
     made.file = (options.isByReference ? file.absoluteFilePath() : file.fileName()).toStdString();
     made.mesh = *std::move(ready);
-    loaded.made = stood(std::move(made), *made.mesh, up, options.size);
+    loaded.made = stood(made, *made.mesh, up, options.size);
     return loaded;
 }
 
