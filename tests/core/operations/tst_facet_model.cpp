@@ -120,6 +120,8 @@ void TestFacetModel::allSorts_data()
     QTest::newRow("a dodecahedron") << dodecahedron() << 3.0 << 12 << 30;
     QTest::newRow("an icosahedron") << icosahedron() << 2.0 << 20 << 30;
     QTest::newRow("a prism, its ends in many triangles") << prism(6) << 3.0 << 8 << 18;
+    // Wrong: some of its edges, of exactly 150°, had fingers, by rounding.
+    QTest::newRow("a prism of twelve sides") << prism(12) << 3.0 << 14 << 36;
     QTest::newRow("a prism of three sides") << prism(3) << 3.0 << 5 << 9;
 }
 

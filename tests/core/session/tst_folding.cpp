@@ -1,6 +1,7 @@
 // Fingers turn like hinges: sheets that nothing else holds fold, and that is said.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/analysis/cutting.h"
 #include "core/analysis/findings/pulled_joints.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/holding.h"
@@ -106,6 +107,7 @@ private Q_SLOTS:
     void onlyWhatNothingElseHolds_data();
     void onlyWhatNothingElseHolds();
     void aLidIsNotHeldByItsFingers();
+    void aKerfWiderThanTheirGapsIsRefused();
 };
 
 void TestFolding::onlyWhatNothingElseHolds_data()
@@ -150,6 +152,21 @@ void TestFolding::aLidIsNotHeldByItsFingers()
         QVERIFY(find(findings, kHolds) == nullptr);
         const Finding *pulled = find(findings, kPulledOpen);
         QVERIFY2(pulled && pulled->severity == Severity::Error, qPrintable(namesOf(findings)));
+    }
+}
+
+// Wrong: such gaps were left out of the file without a word.
+void TestFolding::aKerfWiderThanTheirGapsIsRefused()
+{
+    Document document = facetsOf(sidesOf("glrbft"), 0.1);
+    for (const bool closes : {false, true}) {
+        Stock stock = *document.stocks.front();
+        stock.kerf = closes ? 12.0 : 8.0; // of gaps of about 10 mm
+        const Analysis analysis = analysed(setStock(document, stock).value());
+        CuttingOptions options;
+        options.compensatesKerf = true;
+        const Result<Cutting> cutting = makeCutting(analysis, options);
+        QCOMPARE(!cutting && cutting.error().code == ErrorCode::ClosedSlit, closes);
     }
 }
 
