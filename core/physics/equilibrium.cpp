@@ -167,10 +167,10 @@ private:
         Structure leaning = m_structure;
         for (int i : m_state.parts.links)
             leaning.links[i].grip = std::max(leaning.links[i].grip, kLean * weight);
+        EquilibriumCache cache; // only the loads differ
         for (const Vec3 &axis : groundAxes(m_structure.up)) {
             for (const double lean : {kLean, -kLean}) {
                 leaning.gravity = m_structure.gravity + lean * m_structure.gravity.norm() * axis;
-                EquilibriumCache cache;
                 ComponentState state = m_state;
                 if (ComponentSolver(leaning, m_support, cache, state, m_result)
                         .search(!m_support.isGripUnlimited))
