@@ -695,10 +695,6 @@
         <translation>Festigkeit unbekannt. Die Spannung in %1 konnte nicht ermittelt werden.</translation>
     </message>
     <message>
-        <source>Slides away. Its feet do not hold it against what pushes it.</source>
-        <translation>Rutscht weg. Seine Füße halten nicht gegen das, was schiebt.</translation>
-    </message>
-    <message>
         <source>Pulled open. The joint of %1 and %2 is pulled apart with %3 N.</source>
         <extracomment>%3 is a number of newtons</extracomment>
         <translation>Aufgezogen. Die Verbindung von %1 und %2 wird mit %3 N auseinandergezogen.</translation>
@@ -1027,10 +1023,6 @@
         <translation>Die engste Stelle von %1 ist zu %2 % ihrer Festigkeit beansprucht.</translation>
     </message>
     <message>
-        <source>Comes loose. Nothing keeps %1 in place.</source>
-        <translation>Löst sich. Nichts hält %1 an seinem Platz.</translation>
-    </message>
-    <message>
         <source>Off the material. A weight on %1 misses its material; the nearest place takes it.</source>
         <translation>Neben dem Material. Ein Gewicht auf %1 liegt über keinem Material; die nächste Stelle trägt es.</translation>
     </message>
@@ -1218,6 +1210,43 @@
         <source>where it joins %1</source>
         <extracomment>where a part may break; %1 is the name of a section</extracomment>
         <translation>am Übergang zu %1</translation>
+    </message>
+    <message>
+        <source>if it did not fold</source>
+        <translation>wenn es nicht umklappte</translation>
+    </message>
+    <message>
+        <source>if it did not slide away</source>
+        <translation>wenn es nicht wegrutschte</translation>
+    </message>
+    <message>
+        <source>if nothing came loose</source>
+        <translation>wenn sich nichts löste</translation>
+    </message>
+    <message>
+        <source>if no joint were pulled open</source>
+        <translation>wenn keine Verbindung aufgezogen würde</translation>
+    </message>
+    <message>
+        <source>if nothing pushed it</source>
+        <translation>wenn nichts schöbe</translation>
+    </message>
+    <message>
+        <source>Would stand %1. It would tip only past %2. Margin %3.</source>
+        <extracomment>%1 is such as &quot;if it did not fold&quot;; %2 an angle, %3 a length</extracomment>
+        <translation>Stünde, %1. Es kippte erst ab %2. Reserve %3.</translation>
+    </message>
+    <message>
+        <source>Would stand</source>
+        <translation>Stünde</translation>
+    </message>
+    <message>
+        <source>Slides away. Its feet do not hold it against what pushes it: push less, or give it more weight.</source>
+        <translation>Rutscht weg. Seine Füße halten nicht gegen das, was schiebt: Schwächer schieben oder beschweren.</translation>
+    </message>
+    <message>
+        <source>Comes loose. Nothing keeps %1 in place: glue the joints, or add one more.</source>
+        <translation>Löst sich. Nichts hält %1 an seinem Platz: Verbindungen verkleben oder eine hinzufügen.</translation>
     </message>
 </context>
 <context>

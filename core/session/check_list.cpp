@@ -1,6 +1,7 @@
 #include "core/session/check_list.h"
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/findings/doubted_stand.h"
 #include "core/session/session.h"
 #include "core/session/set_aside.h"
 
@@ -114,6 +115,7 @@ void CheckList::refresh()
             if (!isRefined(stage))
                 add(stage);
     }
+    doubtStanding(m_all);
     std::stable_sort(m_all.begin(), m_all.end(),
                      [](const Finding &a, const Finding &b) { return a.subject() < b.subject(); });
     Q_EMIT changed();

@@ -87,9 +87,18 @@ std::vector<ForceMark> jointForces(const Analysis &analysis, const Strength &str
         if (!isA && analysis.bodies.sectionOf(links[i].b) != *section)
             continue;
         const LinkForce &force = strength.equilibrium().links[i];
+        const Vec3 own = isA ? force.onA.force : Vec3(-force.onA.force);
+        // Fingers are two links at one place, and what a person sees there is one joint.
+        if (links[i].kind == LinkKind::Fingers && !marks.empty() &&
+            marks.back().at == links[i].point) {
+            ForceMark &same = marks.back();
+            same.force += own;
+            same.isOpen = same.isOpen || force.isOpen;
+            same.pull = std::max(same.pull, force.asked);
+            continue;
+        }
         if (force.onA.force.norm() > kLeastForce || force.isOpen)
-            marks.push_back({links[i].point, isA ? force.onA.force : Vec3(-force.onA.force), -1,
-                             force.isOpen, force.asked});
+            marks.push_back({links[i].point, own, -1, force.isOpen, force.asked});
     }
     return marks;
 }

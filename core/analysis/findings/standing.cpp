@@ -100,6 +100,16 @@ Message standsSentence(const Finding &finding, const Model &model)
                     {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
 }
 
+Message wouldStandSentence(const Finding &finding, const Model &model)
+{
+    const Footing &footing = *finding.details<Footing>();
+    return ofThese(
+        finding, model,
+        //: %1 is such as "if it did not fold"; %2 an angle, %3 a length
+        {FFF_TEXT("Checks", "Would stand %1. It would tip only past %2. Margin %3."),
+         {Message{footing.provided, {}}, angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+}
+
 Message unsteadySentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
@@ -280,6 +290,9 @@ const ActionKind kDropToGround{dropWords, dropped};
 const FindingKind kStands{
     "stands", Subject::Stability, FFF_TEXT("Checks", "Stands"), standsSentence,
     nullptr,  footingLook};
+const FindingKind kWouldStand{
+    "wouldStand", Subject::Stability, FFF_TEXT("Checks", "Would stand"), wouldStandSentence,
+    nullptr,      footingLook};
 const FindingKind kUnsteady{.name = "unsteady",
                             .subject = Subject::Stability,
                             .title = FFF_TEXT("Checks", "Tips easily"),

@@ -23,6 +23,7 @@ struct Footing
     double height = 0.0; // kNoContact: above the ground, kBelowGround: below it, mm; both positive
     std::vector<HighFoot> feet; // kTopples, kLineSupport: who would hold it up on the ground
     int sections = 0;           // that stand
+    Text provided = {};         // kWouldStand: what keeps it from standing, "if it did not fold"
 };
 
 /// Tilted by less than this, something that stands ought not to fall: 10°, as for household
@@ -30,7 +31,8 @@ struct Footing
 inline constexpr double kSteadyTilt = 0.17453292519943295;
 
 extern const FindingKind kStands;
-extern const FindingKind kUnsteady; // stands, but tips when tilted by less than kSteadyTilt
+extern const FindingKind kUnsteady;   // stands, but tips when tilted by less than kSteadyTilt
+extern const FindingKind kWouldStand; // as one piece, which something else says it is not
 extern const FindingKind kTopples;
 extern const FindingKind kLineSupport; // falls to either side
 extern const FindingKind kNoContact;   // hangs above the ground

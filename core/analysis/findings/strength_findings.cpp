@@ -204,9 +204,13 @@ Message strengthUnknownSentence(const Finding &finding, const Model &model)
 Message movesSentence(const Finding &finding, const Model &model)
 {
     if (finding.sections.empty())
-        return {FFF_TEXT("Checks", "Slides away. Its feet do not hold it against what pushes it."),
+        return {FFF_TEXT("Checks",
+                         "Slides away. Its feet do not hold it against what pushes it: push "
+                         "less, or give it more weight."),
                 {}};
-    return {FFF_TEXT("Checks", "Comes loose. Nothing keeps %1 in place."),
+    return {FFF_TEXT("Checks",
+                     "Comes loose. Nothing keeps %1 in place: glue the joints, or add one "
+                     "more."),
             {namesOf(model, finding.sections)}};
 }
 

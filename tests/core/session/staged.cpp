@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/asked_bearing.h"
+#include "core/analysis/findings/doubted_stand.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/stages.h"
 #include "core/operations/evaluate.h"
@@ -31,6 +32,7 @@ Staged stagedTo(const Document &document, bool wantsMends)
             out.found.insert(out.found.end(), found.begin(), found.end());
         }
     }
+    doubtStanding(out.found);
     out.analysis = Snapshot(0, results).get(kAnalysed).analysis;
     if (wantsMends)
         out.mends = Snapshot(0, results).pointer(kMends);

@@ -3,13 +3,16 @@
 
 #include "core/analysis/cutting.h"
 #include "core/analysis/findings/pulled_joints.h"
+#include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/holding.h"
 #include "core/model/edits.h"
 #include "core/model/load_edits.h"
 #include "core/operations/facet_model.h"
+#include "core/session/finding_text.h"
 #include "tests/core/analysed.h"
 #include "tests/core/session/all_findings.h"
+#include "tests/core/session/staged.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 
@@ -107,6 +110,7 @@ private Q_SLOTS:
     void onlyWhatNothingElseHolds_data();
     void onlyWhatNothingElseHolds();
     void aLidIsNotHeldByItsFingers();
+    void whatFoldsDoesNotStand();
     void aKerfWiderThanTheirGapsIsRefused();
 };
 
@@ -152,6 +156,21 @@ void TestFolding::aLidIsNotHeldByItsFingers()
         QVERIFY(find(findings, kHolds) == nullptr);
         const Finding *pulled = find(findings, kPulledOpen);
         QVERIFY2(pulled && pulled->severity == Severity::Error, qPrintable(namesOf(findings)));
+    }
+}
+
+// Wrong: "Stands. Tips only past 63°" was green beside "Folds".
+void TestFolding::whatFoldsDoesNotStand()
+{
+    for (const auto &[sides, folds] : {std::pair("glt", true), std::pair("glb", false)}) {
+        const Staged all = staged(facetsOf(sidesOf(sides), 0.1));
+        QCOMPARE(foldsIn(all.found) != nullptr, folds);
+        QCOMPARE(find(all.found, kStands) == nullptr, folds);
+        const Finding *would = find(all.found, kWouldStand);
+        QCOMPARE(would != nullptr, folds);
+        if (folds)
+            QVERIFY(findingText(*would, all.analysis->model)
+                        .startsWith(QStringLiteral("Would stand if it did not fold. ")));
     }
 }
 
