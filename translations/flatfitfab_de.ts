@@ -3033,6 +3033,10 @@
         <source>Hide panels</source>
         <translation>Fenster ausblenden</translation>
     </message>
+    <message>
+        <source>There is no mesh that could be pulled</source>
+        <translation>Kein Netz da, das sich anziehen ließe</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -5034,6 +5038,15 @@
         <source>It has more than %1 flat pieces: choose fewer faces.</source>
         <translation>Es hat mehr als %1 flache Stücke: Weniger Flächen wählen.</translation>
     </message>
+    <message>
+        <source>Drag to set how far %1 pulls templates.</source>
+        <translation>Ziehen bestimmt, wie weit %1 Vorlagen anzieht.</translation>
+    </message>
+    <message>
+        <source>Release to let %1 pull templates from %2. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is the name of a section, %2 a length</extracomment>
+        <translation>Loslassen: %1 zieht Vorlagen ab %2 an. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -5971,6 +5984,10 @@
         <source>how much each place of a section holds</source>
         <translation>was jede Stelle einer Scheibe trägt</translation>
     </message>
+    <message>
+        <source>what magnets make of templates</source>
+        <translation>was Magnete aus Vorlagen machen</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -6660,6 +6677,30 @@
         <source>Make facets of %1</source>
         <extracomment>%1 is the name of a template</extracomment>
         <translation>%1 aus Flächen bauen</translation>
+    </message>
+    <message>
+        <source>Pull templates to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Vorlagen an %1 ziehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Pull templates to %n sections</source>
+        <translation>
+            <numerusform>Vorlagen an %n Scheibe ziehen</numerusform>
+            <numerusform>Vorlagen an %n Scheiben ziehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Release templates from %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Vorlagen von %1 lösen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Release templates from %n sections</source>
+        <translation>
+            <numerusform>Vorlagen von %n Scheibe lösen</numerusform>
+            <numerusform>Vorlagen von %n Scheiben lösen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9182,6 +9223,25 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::MagnetGroup</name>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Pulled in</source>
+        <translation>Herangezogen</translation>
+    </message>
+    <message>
+        <source>Bend the template into the plane of this section, so that the guides of others follow what was drawn</source>
+        <translation>Biegt die Vorlage in die Ebene dieser Scheibe, damit Führungen der anderen dem Gezeichneten folgen</translation>
+    </message>
+    <message>
+        <source>From within</source>
+        <translation>Aus höchstens</translation>
     </message>
 </context>
 <context>

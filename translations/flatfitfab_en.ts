@@ -567,6 +567,20 @@
             <numerusform>Suggest %n sections for %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Pull templates to %n sections</source>
+        <translation>
+            <numerusform>Pull templates to %n section</numerusform>
+            <numerusform>Pull templates to %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Release templates from %n sections</source>
+        <translation>
+            <numerusform>Release templates from %n section</numerusform>
+            <numerusform>Release templates from %n sections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Suggestion</name>

@@ -115,6 +115,7 @@ target_sources(fff_ui PRIVATE
     properties/length_edit.cpp
     properties/load_presets.cpp
     properties/link_row.cpp
+    properties/magnet_group.cpp
     properties/mark_group.cpp
     properties/mass_edit.cpp
     properties/named_number_group.cpp

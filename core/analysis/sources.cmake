@@ -60,6 +60,7 @@ target_sources(fff_core PRIVATE
     analysis/outlined_sections.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp
+    analysis/pulling.cpp
     analysis/stage.cpp
     analysis/stages.cpp
     analysis/straining.cpp

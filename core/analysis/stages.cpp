@@ -6,6 +6,7 @@
 #include "core/analysis/holding.h"
 #include "core/analysis/mends.h"
 #include "core/analysis/planned.h"
+#include "core/analysis/pulling.h"
 #include "core/analysis/verdicts.h"
 
 namespace fff {
@@ -31,6 +32,8 @@ std::vector<Stage> allStages()
             .refining(kHolding.name),
         makeStage(kBearing, FFF_TEXT("Stage", "how much each place of a section holds"),
                   {kAnalysed.name, kRules.name, kQuestions.name}, WhenSettled, askedBearing),
+        makeStage(kPulled, FFF_TEXT("Stage", "what magnets make of templates"), {kModel.name},
+                  Always, pulled),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),
                   {kAnalysed.name, kPlanned.name, kRules.name}, WhenSettled, foundFlips),
     };

@@ -93,10 +93,12 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
 /// Those that are there whatever is drawn: a click on one of them takes it.
 void DrawTool::lookAtTemplates(const GestureContext &context)
 {
-    if (m_templates.canvas() == m_canvas.target.canvas && m_cut == context.model.document.templates)
+    if (m_templates.canvas() == m_canvas.target.canvas &&
+        m_cut == context.model.document.templates && m_cutAs == context.pulled)
         return;
     m_cut = context.model.document.templates;
-    m_templates = TemplateGuides(context.model, m_canvas.target.canvas);
+    m_cutAs = context.pulled;
+    m_templates = TemplateGuides(context.model, context.pulled.get(), m_canvas.target.canvas);
 }
 
 bool DrawTool::isClickOnGuide(const PointerEvent &release, const GestureContext &context) const

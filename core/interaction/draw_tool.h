@@ -43,10 +43,11 @@ private:
     bool isClickOnGuide(const PointerEvent &release, const GestureContext &context) const;
 
     CanvasChoice m_canvas;
-    TemplateGuides m_templates;         // of that canvas,
-    std::vector<TemplatePointer> m_cut; // of these
-    Vec2 m_press = Vec2::Zero();        // px
-    std::optional<Camera> m_before;     // the turn
+    TemplateGuides m_templates;                     // of that canvas,
+    std::vector<TemplatePointer> m_cut;             // of these,
+    std::shared_ptr<const PulledTemplates> m_cutAs; // as they were pulled
+    Vec2 m_press = Vec2::Zero();                    // px
+    std::optional<Camera> m_before;                 // the turn
     std::unique_ptr<StrokeGesture> m_stroke;
     bool m_isOnEdge = false; // as the view looks at the canvas now
 };

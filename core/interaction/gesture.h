@@ -11,7 +11,8 @@ namespace fff {
 /// What a gesture works with.
 struct GestureContext
 {
-    const Model &model; // the committed one
+    const Model &model;                            // the committed one
+    std::shared_ptr<const PulledTemplates> pulled; // may be null
     const InteractionSettings &settings;
     Vec2 viewport; // px
     Camera &camera;

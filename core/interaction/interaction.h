@@ -38,11 +38,15 @@ enum class Cursor {
 };
 
 /// What interaction asks of whoever holds the model (the session).
+struct PulledTemplates;
+
 class InteractionHost
 {
 public:
     virtual ~InteractionHost() = default;
     virtual const Model &model() const = 0; // the committed one
+    /// What magnets make of templates, of the newest model that this is known of; may be null.
+    virtual std::shared_ptr<const PulledTemplates> pulled() const { return nullptr; }
     virtual void preview(Document document) = 0;
     virtual void cancelPreview() = 0;
     virtual void commit(const Step &step, Document document) = 0;

@@ -29,7 +29,7 @@ void Interaction::Private::hoverJoint()
 {
     hoveredJoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || hoveredHandle || hovered.load.isValid() || motion.animation)
+    if (!at || hoveredHandle || isOverMagnet || hovered.load.isValid() || motion.animation)
         return;
     if (const JointMark *mark = jointMarkAt(*at)) {
         hoveredJoint = *mark;

@@ -196,6 +196,7 @@ void Interaction::Private::hoverMarks()
 {
     hoverOperation();
     hoverLoad();
+    hoverMagnet();
     hoverJoint();
     hoverPoint();
 }
@@ -204,8 +205,8 @@ void Interaction::Private::hoverPoint()
 {
     hoveredPoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || hoveredJoint || hoveredHandle || hovered.load.isValid() || motion.animation ||
-        tool || hovered.cubePart || hovered.problem > 0 || hovered.isCutHandle)
+    if (!at || hoveredJoint || hoveredHandle || isOverMagnet || hovered.load.isValid() ||
+        motion.animation || tool || hovered.cubePart || hovered.problem > 0 || hovered.isCutHandle)
         return;
     if (const auto section = sectionWithPoints(sight(), selection))
         hoveredPoint = pointTargetAt(sight(), *section, points, *at);
@@ -263,6 +264,8 @@ void Interaction::Private::update()
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
     else if (hoveredHandle)
         std::tie(hint, cursor) = hoverHint(*hoveredHandle, host.model());
+    else if (isOverMagnet)
+        std::tie(hint, cursor) = std::pair(magnetHint(), Cursor::MoveCross);
     else if (hoveredJoint)
         std::tie(hint, cursor) =
             hoverHint(*hoveredJoint, host.model(), selection.joint() == hoveredJoint->joint);
@@ -273,6 +276,7 @@ void Interaction::Private::update()
     markPoints();
     markJoints();
     markOperation();
+    markMagnet();
     if (modifiers.space && !gesture)
         cursor = Cursor::Hand;
 

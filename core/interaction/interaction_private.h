@@ -65,8 +65,8 @@ public:
 
     GestureContext context()
     {
-        return {host.model(), settings, motion.viewport, motion.camera, overlay,
-                hovered,      view,     selection,       points};
+        return {host.model(), host.pulled(), settings, motion.viewport, motion.camera,
+                overlay,      hovered,       view,     selection,       points};
     }
     Sight sight() const
     {
@@ -132,6 +132,9 @@ public:
     void hover();
     void hoverMarks();
     void hoverJoint();
+    void hoverMagnet();
+    void markMagnet();
+    Hint magnetHint() const;
     void hoverPoint();
     void markPoints();
     void markJoints();
@@ -169,6 +172,7 @@ public:
     bool listsJoints = false;
     int sectionUnderCursor = -1;                  // also where a mark lies before it
     std::optional<OperationHandle> hoveredHandle; // of the selected operation
+    bool isOverMagnet = false;                    // the handle of one
     Pointer pointer = Pointer::Mouse;             // of the last event
     ClickSelection clicks;
     std::optional<PointerEvent> lastClick; // the first of two, maybe

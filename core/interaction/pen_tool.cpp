@@ -57,8 +57,8 @@ std::optional<GestureReply> PenTool::useCanvas(CanvasChoice canvas, GestureConte
     reply.turnTo = cameraAtCanvas(canvas.target, context);
     Camera there = reply.turnTo.value_or(context.camera);
     setCanvas(std::move(canvas), false,
-              {context.model, context.settings, context.viewport, there, context.overlay,
-               context.hovered, context.view, context.selection, context.points});
+              {context.model, context.pulled, context.settings, context.viewport, there,
+               context.overlay, context.hovered, context.view, context.selection, context.points});
     return reply;
 }
 
@@ -76,7 +76,7 @@ void PenTool::setCanvas(CanvasChoice choice, bool isFirst, const GestureContext 
         targets.addPoint(Vec2::Zero());
         targets.addPoint({(parent->slitTo - parent->slitFrom).norm(), 0.0});
     }
-    TemplateGuides guides(context.model, frame);
+    TemplateGuides guides(context.model, context.pulled.get(), frame);
     targets.setGuides(guides.loops());
     m_canvas = Canvas{std::move(choice), std::move(targets), std::move(guides), isFirst, false};
     m_snap.reset();

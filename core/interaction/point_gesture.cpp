@@ -44,7 +44,7 @@ PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
     if (target.kind == PointTarget::Kind::Anchor && !isSelected)
         m_moved = {target.point};
     if (target.kind == PointTarget::Kind::Anchor && context.settings.snaps) {
-        m_guides = TemplateGuides(context.model, m_frame);
+        m_guides = TemplateGuides(context.model, context.pulled.get(), m_frame);
         m_loops = m_guides.loops();
     }
     m_pressed = placeOnPlane(m_frame, context.camera, context.viewport, press.position)

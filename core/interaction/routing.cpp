@@ -3,6 +3,7 @@
 #include "core/interaction/clip_gesture.h"
 #include "core/interaction/joint_gesture.h"
 #include "core/interaction/load_gesture.h"
+#include "core/interaction/magnet_handle.h"
 #include "core/interaction/operation_gesture.h"
 #include "core/interaction/point_gesture.h"
 #include "core/interaction/rubber_band.h"
@@ -65,6 +66,17 @@ std::unique_ptr<Gesture> onLoad(const PointerEvent &press, const GestureContext 
     return at ? std::make_unique<LoadGesture>(*at, context) : nullptr;
 }
 
+std::unique_ptr<Gesture> onMagnet(const PointerEvent &press, const GestureContext &context)
+{
+    if (press.button != Button::Left ||
+        dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
+        return nullptr;
+    const auto handle = magnetHandle(context.model, context.selection, context.camera);
+    if (!handle || !isOnMagnet(*handle, context, press.position, reachOf(press.pointer)))
+        return nullptr;
+    return std::make_unique<MagnetGesture>(*handle, press, context);
+}
+
 /// Ctrl, which turns the view elsewhere, does something of its own to points and handles.
 std::unique_ptr<Gesture> onPoint(const PointerEvent &press, const Sight &sight,
                                  const GestureContext &context)
@@ -115,6 +127,8 @@ std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sigh
     if (auto gesture = onOperation(press, context))
         return gesture;
     if (auto gesture = onLoad(press, context))
+        return gesture;
+    if (auto gesture = onMagnet(press, context))
         return gesture;
     if (auto gesture = onJoint(press, sight, context))
         return gesture;

@@ -26,9 +26,12 @@ target_sources(fff_core PRIVATE
     interaction/interaction_sections.cpp
     interaction/interaction_tool.cpp
     interaction/interaction_loads.cpp
+    interaction/interaction_magnets.cpp
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
     interaction/label_room.cpp
+    interaction/magnet_editing.cpp
+    interaction/magnet_handle.cpp
     interaction/mark_editing.cpp
     interaction/mark_tool.cpp
     interaction/measure_tool.cpp

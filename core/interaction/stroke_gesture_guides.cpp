@@ -16,18 +16,17 @@ void StrokeGesture::lookAtTemplates(const GestureContext &context)
     if (context.model.document.templates.empty())
         return;
     if (const Result<Frame> canvas = makeFrame(from, way, ground.normal()))
-        m_templates = TemplateGuides(context.model, *canvas);
+        m_templates = TemplateGuides(context.model, context.pulled.get(), *canvas);
 }
 
 /// From the moment that the plane is known.
 void StrokeGesture::followTemplates(const GestureContext &context)
 {
-    m_templates = TemplateGuides(context.model, m_target.canvas);
+    m_templates = TemplateGuides(context.model, context.pulled.get(), m_target.canvas);
     const Template *followed = m_templates.followed(context.model.document);
     m_followed = followed ? followed->name : std::string();
     if (followed && context.settings.snaps)
-        m_stroke.setGuides(
-            m_templates.curves(guideReach(context.camera.millimetresPerPixel)));
+        m_stroke.setGuides(m_templates.curves(guideReach(context.camera.millimetresPerPixel)));
 }
 
 bool StrokeGesture::hasGuide() const

@@ -25,12 +25,15 @@ bool crossesSlit(const Vec2 &p, const Vec2 &q, double length)
 
 } // namespace
 
-TemplateGuides::TemplateGuides(const Model &model, const Frame &canvas) : m_canvas(canvas)
+TemplateGuides::TemplateGuides(const Model &model, const PulledTemplates *pulled,
+                               const Frame &canvas)
+    : m_canvas(canvas)
 {
     for (const TemplatePointer &one : model.document.templates) {
         if (one->isHidden || !one->mesh)
             continue;
-        std::vector<TemplateLoop> loops = loopsOn(canvas, *one, *one->mesh);
+        std::vector<TemplateLoop> loops =
+            loopsOn(canvas, *one, pulled ? *pulled->meshOf(*one) : *one->mesh);
         for (TemplateLoop &loop : loops) {
             if (loop.around >= 0)
                 loop.around += static_cast<int>(m_loops.size());

@@ -7,6 +7,7 @@
 #include "core/interaction/snapping.h"
 #include "core/model/model.h"
 #include "core/stroke/guided_line.h"
+#include "core/templates/pulled_templates.h"
 #include "core/templates/template_cut.h"
 
 #include <memory>
@@ -22,8 +23,9 @@ class TemplateGuides
 {
 public:
     TemplateGuides() = default;
-    /// Of meshes that are not hidden. O(what the plane meets).
-    TemplateGuides(const Model &model, const Frame &canvas);
+    /// Of meshes that are not hidden, as magnets pull them. O(what the plane meets).
+    /// pulled  may be null
+    TemplateGuides(const Model &model, const PulledTemplates *pulled, const Frame &canvas);
 
     bool isEmpty() const { return m_loops.empty(); }
     const Frame &canvas() const { return m_canvas; }

@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     model/instance_key.cpp
     model/letter_shapes.cpp
     model/load_edits.cpp
+    model/magnet_edits.cpp
     model/lettering.cpp
     model/mark.cpp
     model/marks.cpp

@@ -1,7 +1,9 @@
 #include "core/session/replay.h"
 
+#include "core/analysis/pulling.h"
 #include "core/io/loaded_document.h"
 #include "core/session/replay_script.h"
+#include "core/session/scheduler.h"
 #include "core/session/session_commands.h"
 #include "core/session/view_commands.h"
 
@@ -121,6 +123,9 @@ Result<void> Player::pointer(const ReplayEvent &event, PointerEvent::Type type)
     } else if (type == PointerEvent::Type::Wheel) {
         pointer.wheelSteps = event.amount;
     }
+    // What a stroke follows does not hang on how fast the machine is.
+    if (pointer.isPress())
+        m_session.scheduler().finish(kPulled.name);
     m_interaction.handle(pointer);
     return {};
 }

@@ -1,6 +1,7 @@
 #include "core/session/session.h"
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/pulling.h"
 #include "core/operations/evaluate.h"
 #include "core/session/journal.h"
 #include "core/session/kept_models.h"
@@ -76,6 +77,7 @@ Session::Private::Private(Session *session, std::vector<Stage> stages)
     : q(session), stack(new QUndoStack(session)), scheduler(std::move(stages))
 {
     scheduler.want(kAnalysed.name);
+    scheduler.want(kPulled.name);
     QObject::connect(&scheduler, &Scheduler::published, q, [this](std::string_view stage) {
         const auto newest = scheduler.result(kAnalysed);
         if (stage != kAnalysed.name || !newest || analysis == newest->analysis)

@@ -9,6 +9,7 @@
 #include "core/session/figure_commands.h"
 #include "core/session/joint_commands.h"
 #include "core/session/load_commands.h"
+#include "core/session/magnet_commands.h"
 #include "core/session/mark_commands.h"
 #include "core/session/measure_commands.h"
 #include "core/session/mirror_commands.h"
@@ -129,6 +130,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerSectionCommands(registry, session, interaction);
     registerFigureCommands(registry, session, interaction);
     registerOfferCommands(registry, interaction);
+    registerMagnetCommands(registry, session, interaction);
     registerMarkCommands(registry, session, interaction);
     registerDrawingCommands(registry, session, interaction);
     registerMeasureCommands(registry, session, interaction);

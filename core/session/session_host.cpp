@@ -1,6 +1,8 @@
 #include "core/session/session_host.h"
 
+#include "core/analysis/pulling.h"
 #include "core/session/message_text.h"
+#include "core/session/scheduler.h"
 
 namespace fff {
 
@@ -22,6 +24,11 @@ void SessionHost::attach(Interaction &interaction)
 const Model &SessionHost::model() const
 {
     return m_session.committed();
+}
+
+std::shared_ptr<const PulledTemplates> SessionHost::pulled() const
+{
+    return m_session.scheduler().result(kPulled);
 }
 
 void SessionHost::preview(Document document)

@@ -19,6 +19,7 @@ public:
     void attach(Interaction &interaction);
 
     const Model &model() const override;
+    std::shared_ptr<const PulledTemplates> pulled() const override;
     void preview(Document document) override;
     void cancelPreview() override;
     void commit(const Step &step, Document document) override;

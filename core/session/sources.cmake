@@ -10,6 +10,7 @@ target_sources(fff_session PRIVATE
     joint_commands.cpp
     journal.cpp
     kept_models.cpp
+    magnet_commands.cpp
     mark_commands.cpp
     measure_commands.cpp
     mirror_commands.cpp

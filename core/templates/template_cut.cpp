@@ -9,7 +9,8 @@ namespace fff {
 
 std::vector<TemplateLoop> loopsOn(const Frame &frame, const Template &one, const TemplateMesh &mesh)
 {
-    const Similarity toWorld = worldPlacement(one, mesh), toMesh = toWorld.inverse();
+    const Similarity toWorld = worldPlacement(one, one.mesh ? *one.mesh : mesh),
+                     toMesh = toWorld.inverse();
     const Result<CutPlane> plane = makeCutPlane(toMesh(frame.origin), toMesh.turn * frame.normal());
     if (!plane)
         return {};

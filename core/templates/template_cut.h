@@ -17,7 +17,7 @@ struct TemplateLoop
     bool isBridged = false; // in part it closes what is open in the mesh
 };
 
-/// Of a mesh (deformed or not) where the template has it; largest first.
+/// Of the template's mesh, or of one that it was pulled to; largest first.
 std::vector<TemplateLoop> loopsOn(const Frame &frame, const Template &one,
                                   const TemplateMesh &mesh);
 

@@ -1,5 +1,6 @@
 #include "ui/bench/viewport.h"
 
+#include "core/analysis/pulling.h"
 #include "core/base/tolerances.h"
 #include "core/model/origin.h"
 #include "core/session/scheduler.h"
@@ -104,8 +105,15 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         m_builder.setAnalysis(m_bench.session().analysisPointer());
         rebuildScene();
     });
+    connect(&bench.session().scheduler(), &Scheduler::published, this, [this](const char *stage) {
+        if (std::string_view(stage) != kPulled.name)
+            return;
+        m_builder.setPulled(m_bench.session().scheduler().result(kPulled));
+        rebuildScene();
+    });
     connect(&bench, &Workbench::triedChanged, this, [this] {
         m_triedBuilder = {};
+        m_triedBuilder.setPulled(m_bench.session().scheduler().result(kPulled));
         if (m_bench.tried())
             m_triedBuilder.setAnalysis(m_bench.tried());
         rebuildScene();
@@ -119,6 +127,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         update();
     });
     m_builder.setAnalysis(bench.session().analysisPointer());
+    m_builder.setPulled(bench.session().scheduler().result(kPulled));
     rebuildScene();
 }
 

@@ -10,6 +10,7 @@
 #include "ui/properties/instance_group.h"
 #include "ui/properties/joint_rows.h"
 #include "ui/properties/joint_words.h"
+#include "ui/properties/magnet_group.h"
 #include "ui/properties/mark_group.h"
 #include "ui/properties/place_group.h"
 #include "ui/properties/point_rows.h"
@@ -87,6 +88,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_placeGroup = new PlaceGroup(m_bench, this);
     m_figureGroup = new FigureGroup(m_bench, this);
     m_markGroup = new MarkGroup(m_bench, this);
+    m_magnetGroup = new MagnetGroup(m_bench, this);
     m_jointGroup = new PropertyGroup(tr("Joints"), this);
     addStockRows(stock);
     addContourRows(m_figureGroup);
@@ -112,7 +114,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     for (QWidget *group :
          {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_placeGroup),
           static_cast<QWidget *>(m_figureGroup), static_cast<QWidget *>(m_markGroup),
-          static_cast<QWidget *>(m_jointGroup)})
+          static_cast<QWidget *>(m_magnetGroup), static_cast<QWidget *>(m_jointGroup)})
         column->addWidget(group);
 }
 
@@ -255,6 +257,7 @@ void SectionPage::refresh()
     m_placeGroup->refresh();
     m_figureGroup->refresh();
     m_markGroup->refresh();
+    m_magnetGroup->refresh();
     refreshJoints();
 }
 

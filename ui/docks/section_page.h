@@ -12,6 +12,7 @@
 namespace fff::ui {
 
 class FigureGroup;
+class MagnetGroup;
 class MarkGroup;
 class InstanceGroup;
 class JointRows;
@@ -52,6 +53,7 @@ private:
     InstanceGroup *m_instanceGroup = nullptr;
     PlaceGroup *m_placeGroup = nullptr;
     MarkGroup *m_markGroup = nullptr;
+    MagnetGroup *m_magnetGroup = nullptr;
     FigureGroup *m_figureGroup = nullptr;
     PointGroup *m_pointGroup = nullptr;
     PropertyGroup *m_jointGroup = nullptr;

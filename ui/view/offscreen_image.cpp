@@ -120,6 +120,8 @@ Scene sceneOf(const Analysis &analysis)
 {
     SceneBuilder builder;
     builder.setAnalysis(std::make_shared<const Analysis>(analysis));
+    if (Result<PulledTemplates> pulled = pullTemplates(analysis.model, nullptr))
+        builder.setPulled(std::make_shared<const PulledTemplates>(*std::move(pulled)));
     return builder.build(analysis.model);
 }
 

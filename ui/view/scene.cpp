@@ -221,7 +221,7 @@ Scene SceneBuilder::build(const Model &model) const
         scene.sections.push_back(std::move(item));
     }
     scene.things = thingsOf(model);
-    scene.templates = templatesOf(model.document);
+    scene.templates = templatesOf(model.document, m_pulled.get());
     return scene;
 }
 

@@ -73,6 +73,8 @@ class SceneBuilder
 {
 public:
     void setAnalysis(AnalysisPointer newest);
+    /// What magnets make of templates; may be null.
+    void setPulled(std::shared_ptr<const PulledTemplates> newest) { m_pulled = std::move(newest); }
     Scene build(const Model &model) const;
 
 private:
@@ -99,7 +101,8 @@ private:
     class SharedCovers;
 
     AnalysisPointer m_analysis = std::make_shared<const Analysis>(); // the newest
-    std::vector<KnownPointer> m_known;                               // in the order of its sections
+    std::shared_ptr<const PulledTemplates> m_pulled;
+    std::vector<KnownPointer> m_known; // in the order of its sections
 };
 
 /// Hides, ghosts and reddens the sections as the view's state says. The scene is of this model.

@@ -29,14 +29,20 @@ Eigen::Matrix4d matrixOf(const Similarity &placement)
 
 } // namespace
 
-std::vector<SceneTemplate> templatesOf(const Document &document)
+std::vector<SceneTemplate> templatesOf(const Document &document, const PulledTemplates *pulled)
 {
     std::vector<SceneTemplate> seen;
     for (const TemplatePointer &one : document.templates) {
         if (one->isHidden || !one->mesh)
             continue;
-        SceneTemplate shown{one->mesh, one->placement(), {}, one->opacity, false};
-        const Vec3 half = 0.5 * one->mesh->mesh->bounds().size();
+        const TemplateMeshPointer &mesh = pulled ? pulled->meshOf(*one) : one->mesh;
+        const Box3 &own = mesh->mesh->bounds(); // about whose middle it is drawn
+        SceneTemplate shown{mesh,
+                            worldPlacement(*one, *one->mesh) * Similarity::moved(own.center()),
+                            {},
+                            one->opacity,
+                            false};
+        const Vec3 half = 0.5 * own.size();
         for (int corner = 0; corner < 8; ++corner)
             shown.bounds.extend(shown.placement(half.cwiseProduct(
                 Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1))));

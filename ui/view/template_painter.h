@@ -3,7 +3,7 @@
 
 #include "core/geometry/similarity.h"
 #include "core/model/document.h"
-#include "core/templates/template_mesh.h"
+#include "core/templates/pulled_templates.h"
 #include "ui/view/frame_quality.h"
 #include "ui/view/frame_view.h"
 #include "ui/view/gl.h"
@@ -31,8 +31,9 @@ struct SceneTemplate
     }
 };
 
-/// Those that are not hidden and whose bytes are known.
-std::vector<SceneTemplate> templatesOf(const Document &document);
+/// Those that are not hidden and whose bytes are known, as magnets pull them.
+/// pulled  may be null
+std::vector<SceneTemplate> templatesOf(const Document &document, const PulledTemplates *pulled);
 
 class TemplatePainter
 {
