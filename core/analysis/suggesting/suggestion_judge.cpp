@@ -13,6 +13,8 @@
 #include "core/operations/evaluate.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace fff {
 
@@ -41,6 +43,8 @@ SuggestionJudge::SuggestionJudge(Document document, std::stop_token stop)
     if (!m_document.sections.empty() || !m_document.operations.empty())
         m_before = faultsOf(m_document).value_or(Faults());
     m_before.groups = std::max<std::size_t>(m_before.groups, 1);
+    for (const SectionPointer &section : m_document.sections)
+        m_own.insert(section->id);
 }
 
 std::optional<SuggestionJudge::Faults> SuggestionJudge::faultsOf(const Document &document)
@@ -121,13 +125,112 @@ SuggestionJudge::Verdict SuggestionJudge::take(const std::vector<NewSection> &se
     }
     if (!faults || !faults->isNoMoreThan(m_before))
         return Verdict::Refused;
-    if (faults->thinWalls > m_before.thinWalls) {
-        if (!allowsThinWalls)
-            return Verdict::Weak;
-        m_before.thinWalls = faults->thinWalls;
+    const bool isWeak = faults->thinWalls > m_before.thinWalls;
+    if (isWeak && !allowsThinWalls)
+        return Verdict::Weak;
+    const Document before = std::exchange(m_document, *std::move(next));
+    const Faults faultsBefore = m_before;
+    m_before.thinWalls = std::max(m_before.thinWalls, faults->thinWalls);
+    turnPulledSlits();
+    if (isWeak && breaks()) {
+        m_document = before;
+        m_before = faultsBefore;
+        return Verdict::Refused;
     }
-    m_document = *std::move(next);
     return Verdict::Taken;
+}
+
+/// Under its own weight.
+bool SuggestionJudge::breaks()
+{
+    const AnalysisPointer analysis = analyseNext(evaluate(m_document), m_analysis);
+    const Strength strength = strengthOf(*analysis, StrengthRules(), m_strength, {m_stop, {}});
+    return strength.verdict == HoldVerdict::Breaks || strength.verdict == HoldVerdict::NotWorkedOut;
+}
+
+SuggestionJudge::Pulls SuggestionJudge::pullsOf(const Document &document)
+{
+    const AnalysisPointer analysis = analyseNext(evaluate(document), m_analysis);
+    const Strength strength = forcesIn(*analysis, StrengthRules(), m_strength, {m_stop, {}});
+    Pulls pulls;
+    if (!strength.equilibrium().isSound || !isPulledApart(strength.equilibrium()))
+        return pulls;
+    std::map<JointRef, double> pulled;
+    const std::vector<LinkForce> &links = strength.equilibrium().links;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        if (!links[i].isOpen)
+            continue;
+        const Link &link = strength.made.structure.links[i];
+        const auto refOf = [&](int body) {
+            return analysis->model.ref(static_cast<std::size_t>(analysis->bodies.sectionOf(body)));
+        };
+        const SectionRef a = refOf(link.a), b = refOf(link.b);
+        pulled[JointRef(std::min(a, b), std::max(a, b))] += links[i].asked;
+    }
+    std::vector<std::pair<double, JointRef>> sorted;
+    for (const auto &[joint, pull] : pulled) {
+        pulls.sum += pull;
+        sorted.emplace_back(pull, joint);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto &x, const auto &y) { return x.first > y.first; });
+    for (const auto &[pull, joint] : sorted)
+        pulls.joints.push_back(joint);
+    return pulls;
+}
+
+Document SuggestionJudge::withTurned(const std::vector<JointRef> &joints) const
+{
+    const Model model = evaluate(m_document);
+    Document next = m_document;
+    for (const JointRef &joint : joints) {
+        const std::optional<JointState> state = jointState(model, joint);
+        const bool isNew = !m_own.contains(joint.a.drawn) || !m_own.contains(joint.b.drawn);
+        if (isNew && state && state->canFlip)
+            next = setJointOverride(std::move(next), flipped(model, *state)).value_or(next);
+    }
+    return next;
+}
+
+void SuggestionJudge::turnPulledSlits()
+{
+    constexpr double kLess = 0.999; // of a pull: what is not less than this is the same
+    Pulls pulls = pullsOf(m_document);
+    for (bool isBetter = true; isBetter && pulls.sum > 0.0 && !m_stop.stop_requested();) {
+        isBetter = false;
+        // What slides on from one side has all its slits on that side: those of a section turn
+        // together, or of all sections.
+        std::vector<std::vector<JointRef>> tries{pulls.joints};
+        std::map<SectionRef, std::vector<JointRef>> bySection;
+        for (const JointRef &joint : pulls.joints) {
+            bySection[joint.a].push_back(joint);
+            bySection[joint.b].push_back(joint);
+        }
+        for (const auto &[section, joints] : bySection)
+            if (joints.size() > 1 && joints.size() < pulls.joints.size())
+                tries.push_back(joints);
+        if (pulls.joints.size() > 1)
+            for (const JointRef &joint : pulls.joints)
+                tries.push_back({joint});
+        for (const std::vector<JointRef> &joints : tries) {
+            const Document next = withTurned(joints);
+            if (m_stop.stop_requested())
+                return;
+            if (next.isSame(m_document))
+                continue;
+            const std::optional<Faults> faults = faultsOf(next);
+            if (!faults || !faults->isNoMoreThan(m_before) ||
+                faults->thinWalls > m_before.thinWalls)
+                continue;
+            Pulls then = pullsOf(next);
+            if (then.sum >= kLess * pulls.sum)
+                continue;
+            m_document = next;
+            pulls = std::move(then);
+            isBetter = true;
+            break;
+        }
+    }
 }
 
 } // namespace fff

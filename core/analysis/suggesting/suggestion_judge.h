@@ -5,9 +5,11 @@
 #include "core/analysis/assembly_plan.h"
 #include "core/analysis/check_caches.h"
 #include "core/analysis/plan_finder.h"
+#include "core/analysis/strength.h"
 #include "core/model/edits.h"
 
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <vector>
 
@@ -47,14 +49,28 @@ private:
     /// The document with all slits of its last section opening to one end of their axes, where
     /// others than it has by itself are needed for that.
     std::optional<Document> slidOnFrom(const Document &document, double side) const;
+    /// The joints that weight pulls open, and what with.
+    struct Pulls
+    {
+        std::vector<JointRef> joints; // the strongest pull first
+        double sum = 0.0;             // N; 0: nothing comes apart
+    };
+    Pulls pullsOf(const Document &document);
+    /// Turns slits of joints that sections taken since the beginning have, where what stands in
+    /// them is pulled out by weight alone, so far as nothing else gets worse by it.
+    void turnPulledSlits();
+    bool breaks();
+    Document withTurned(const std::vector<JointRef> &joints) const;
 
     Document m_document;
+    std::set<SectionId> m_own; // sections that were there before
     Faults m_before;
     std::stop_token m_stop;
     AnalysisCaches m_analysis;
     CheckCaches m_checks;
     PlanCaches m_plan;
     PlanCheckCaches m_planChecks;
+    StrengthCaches m_strength;
 };
 
 } // namespace fff

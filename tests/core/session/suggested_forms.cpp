@@ -4,6 +4,7 @@
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/thin_webs.h"
+#include "core/analysis/holding.h"
 #include "core/analysis/plan_checks.h"
 #include "core/model/template_edits.h"
 #include "core/operations/evaluate.h"
@@ -16,6 +17,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <iterator>
 
 namespace fff::test {
 
@@ -147,6 +149,11 @@ QStringList faultsOf(const Model &model)
     std::vector<Finding> all = checks(analysis);
     const std::vector<Finding> planned = planChecks(analysis, plan);
     all.insert(all.end(), planned.begin(), planned.end());
+    const Holding held = holdingOf(std::make_shared<const Analysis>(analysis), {},
+                                   std::make_shared<StrengthCaches>());
+    // That something is near its strength is told, and no reason to show less.
+    std::copy_if(held.findings.begin(), held.findings.end(), std::back_inserter(all),
+                 [](const Finding &finding) { return finding.severity == Severity::Error; });
     QStringList faults;
     for (const Finding &finding : all)
         if (finding.severity >= Severity::Warning || finding.severity == Severity::Unknown)
