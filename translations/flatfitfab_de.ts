@@ -10738,6 +10738,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Ignore overlaps below</source>
         <translation>Überlappung zählt erst ab</translation>
     </message>
+    <message>
+        <source>Strokes follow a template within</source>
+        <translation>Striche folgen einer Vorlage ab</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Sheet</name>

@@ -67,6 +67,7 @@ struct InteractionSettings
     bool mirrorsFirst = false; // also the first section's, across the vertical through its start
     bool cutsAtGround = true;  // contours end at Y = 0
     bool snaps = true;         // points that the pen sets or moves, and sections that are moved
+    double guideReach = 12.7;  // mm from which points are caught by guides (snapping.h)
     bool takesChildren = true; // what was drawn on a section goes along with it
     std::string figure = "rectangle"; // kind of the next one that is drawn
     bool scores = false;              // marks are scored, not engraved

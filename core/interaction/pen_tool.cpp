@@ -77,7 +77,7 @@ void PenTool::setCanvas(CanvasChoice choice, bool isFirst, const GestureContext 
         targets.addPoint({(parent->slitTo - parent->slitFrom).norm(), 0.0});
     }
     TemplateGuides guides(context.model, context.pulled.get(), frame);
-    targets.setGuides(guides.loops());
+    targets.setGuides(guides.loops(), context.settings.guideReach);
     m_canvas = Canvas{std::move(choice), std::move(targets), std::move(guides), isFirst, false};
     m_snap.reset();
     m_typed.reset();

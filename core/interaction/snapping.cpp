@@ -230,8 +230,8 @@ Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPe
         return {Snap::Kind::Point, *target, {}, false};
 
     const double holding = before.kind == Snap::Kind::Guide ? kSnapRelease : 1.0;
-    if (const std::optional<Vec2> place =
-            nearestOnLoops(point, targets.guides(), holding * guideReach(millimetresPerPixel)))
+    const double guiding = holding * guideReach(targets.guideReach(), millimetresPerPixel);
+    if (const std::optional<Vec2> place = nearestOnLoops(point, targets.guides(), guiding))
         return {Snap::Kind::Guide, *place, {}, false};
 
     const std::vector<Line> lines = linesOf(targets);

@@ -39,11 +39,12 @@ inline constexpr double kGridPixels = 8.0;
 /// How near a point comes before it is caught, px, and how much further it must go to get away.
 inline constexpr double kSnapReach = 8.0, kSnapRelease = 1.3;
 
-/// The same of where the canvas cuts a template: mm, but never more than so many px.
+/// The same of where the canvas cuts a template: mm, where a person wants nothing else, but never
+/// more than so many px.
 inline constexpr double kGuideReach = 12.7, kGuidePixels = 24.0;
-inline double guideReach(double millimetresPerPixel)
+inline double guideReach(double wanted, double millimetresPerPixel)
 {
-    return std::min(kGuideReach, kGuidePixels * millimetresPerPixel);
+    return std::min(wanted, kGuidePixels * millimetresPerPixel);
 }
 
 /// Closed lines on a canvas, mm; null: none.
@@ -71,11 +72,17 @@ public:
     void addModel(const Model &model, const ViewState &view, const SectionRef &except);
 
     /// What the canvas cuts of templates.
-    void setGuides(GuideLoops loops) { m_guides = std::move(loops); }
+    /// reach: mm, see guideReach()
+    void setGuides(GuideLoops loops, double reach)
+    {
+        m_guides = std::move(loops);
+        m_guideReach = reach;
+    }
 
     const Frame &canvas() const { return m_canvas; }
     const Frame &grid() const { return m_grid; }
     const GuideLoops &guides() const { return m_guides; }
+    double guideReach() const { return m_guideReach; }
     const std::vector<Vec2> &points() const { return m_points; }
     const std::vector<Vec2> &aligned() const { return m_aligned; }
     bool meetsGround() const { return m_ground.has_value(); }
@@ -90,6 +97,7 @@ private:
 
     Frame m_canvas, m_grid;
     std::vector<Vec2> m_points, m_aligned;
+    double m_guideReach = kGuideReach; // mm
     GuideLoops m_guides;
     std::optional<double> m_ground;
 };

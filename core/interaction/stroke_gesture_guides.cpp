@@ -26,7 +26,8 @@ void StrokeGesture::followTemplates(const GestureContext &context)
     const Template *followed = m_templates.followed(context.model.document);
     m_followed = followed ? followed->name : std::string();
     if (followed && context.settings.snaps)
-        m_stroke.setGuides(m_templates.curves(guideReach(context.camera.millimetresPerPixel)));
+        m_stroke.setGuides(m_templates.curves(
+            guideReach(context.settings.guideReach, context.camera.millimetresPerPixel)));
 }
 
 bool StrokeGesture::hasGuide() const

@@ -42,6 +42,8 @@ void Workbench::followSettings()
     InteractionSettings &with = m_interaction->settings();
     with.turnTime = set.animationTime(set.turnTime());
     with.turnAngle = radians(set.turnAngle());
+    constexpr double kTenth = 0.1; // mm
+    with.guideReach = kTenth * set.guideReach();
     with.navigation = set.navigation();
     with.mirrors = set.isOn(DrawingSwitch::Symmetry);
     with.mirrorsFirst = set.isOn(DrawingSwitch::FirstSymmetry);

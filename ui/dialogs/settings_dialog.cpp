@@ -236,6 +236,11 @@ QWidget *SettingsDialog::makeView()
                       settings().turnAngle(), [](int angle) { settings().setTurnAngle(angle); });
     form->note(tr("At 90° you look straight at the new plane. With less, the section that you "
                   "started on stays visible."));
+    form->number("settingsGuideReach", tr("Strokes follow a template within"),
+                 {0.1 * Settings::kMinGuideReach, 0.1 * Settings::kMaxGuideReach, 1.0, 1, 1},
+                 tr("mm"), 0.1 * settings().guideReach(), [](double value) {
+                     settings().setGuideReach(static_cast<int>(std::lround(10.0 * value)));
+                 });
     form->choice("settingsNavigation", tr("Mouse buttons like"),
                  {QStringLiteral("FlatFitFab"), QStringLiteral("Blender"),
                   QStringLiteral("FreeCAD"), QStringLiteral("Onshape")},

@@ -22,6 +22,7 @@ const QString kLanguage = QStringLiteral("display/language");
 const QString kStartPage = QStringLiteral("start/page");
 const QString kTurnTime = QStringLiteral("view/turnTime");
 const QString kMotion = QStringLiteral("view/motion");
+const QString kGuideReachKey = QStringLiteral("drawing/guideReach");
 const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
@@ -31,9 +32,10 @@ const QString kShortcuts = QStringLiteral("shortcuts");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
-constexpr int kTurnTimeDefault = 800; // ms
-constexpr int kTurnAngleDefault = 90; // degrees
-constexpr int kAutosaveDefault = 10;  // s
+constexpr int kTurnTimeDefault = 800;   // ms
+constexpr int kTurnAngleDefault = 90;   // degrees
+constexpr int kGuideReachDefault = 127; // tenths of a mm
+constexpr int kAutosaveDefault = 10;    // s
 
 const Words<LengthUnit> kUnits = {
     {LengthUnit::Millimetre, "mm"}, {LengthUnit::Centimetre, "cm"}, {LengthUnit::Inch, "in"}};
@@ -225,6 +227,20 @@ void Settings::setTurnAngle(int degrees)
     if (degrees == turnAngle())
         return;
     store(kTurnAngle, std::clamp(degrees, kMinTurnAngle, kMaxTurnAngle));
+    Q_EMIT drawingChanged();
+}
+
+int Settings::guideReach() const
+{
+    return numberOf(m_store.value(kGuideReachKey), kMinGuideReach, kMaxGuideReach,
+                    kGuideReachDefault);
+}
+
+void Settings::setGuideReach(int tenths)
+{
+    if (tenths == guideReach())
+        return;
+    store(kGuideReachKey, std::clamp(tenths, kMinGuideReach, kMaxGuideReach));
     Q_EMIT drawingChanged();
 }
 

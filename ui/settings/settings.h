@@ -72,6 +72,9 @@ public:
     /// To which the view turns in a stroke; below 90° the slit's section stays to be seen.
     int turnAngle() const;
     void setTurnAngle(int degrees);
+    static constexpr int kMinGuideReach = 1, kMaxGuideReach = 1000; // tenths of a mm
+    int guideReach() const; // from which what is drawn is caught by templates
+    void setGuideReach(int tenths);
     NavigationPreset navigation() const;
     void setNavigation(NavigationPreset preset);
 

@@ -77,6 +77,7 @@ class TestTemplateStrokes : public QObject
 private Q_SLOTS:
     void theFirstSectionFollowsTheMesh();
     void ctrlAndSnapLeaveIt();
+    void onlyWhatIsNearIsCaught();
     void aSectionAcrossFollowsIt();
     void theWholeGuideAtOnce();
     void holesOfTheCutAreHolesOfTheSection();
@@ -107,6 +108,25 @@ void TestTemplateStrokes::ctrlAndSnapLeaveIt()
     drawRound(free, 3.0, 0.98);
     QCOMPARE(free.sections().size(), std::size_t(1));
     QVERIFY(offBall(*free.sections()[0]) > 2.0);
+}
+
+// Wrong: from how far a stroke is caught cannot be set.
+void TestTemplateStrokes::onlyWhatIsNearIsCaught()
+{
+    Desk desk;
+    addBall(desk);
+    desk.interaction.settings().guideReach = 0.2;
+    drawRound(desk, 3.0, 0.98);
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(offBall(*desk.sections()[0]) > 2.0);
+    desk.run("edit.undo");
+    desk.run("section.pen");
+    for (double angle : {0.3, 1.4, 2.9, 4.1, 5.5})
+        desk.click(desk.plate((kBall + 1.0) * std::cos(angle), (kBall + 1.0) * std::sin(angle)));
+    const PenMarks *path = desk.interaction.overlay().find<PenMarks>();
+    QVERIFY(path && path->points.size() == 5);
+    for (const PathPoint &point : path->points)
+        QVERIFY(std::abs(point.at.norm() - kBall) > 0.05);
 }
 
 /// Both halves of the stroke: a plane of its own, whose cut is another circle.
