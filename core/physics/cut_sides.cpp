@@ -9,6 +9,9 @@ namespace {
 /// How far beyond a slit's root the force of a link is taken to be, mm: its root is on the
 /// boundary.
 constexpr double kBeyondRoot = 1e-3;
+/// A force at a point is spread over as much, mm, and so parted by a cut right through it: on which
+/// side of that it lies would be rounding.
+constexpr double kLeastRadius = 1e-3;
 /// Boundary that is farther than this many widths from where a slit's wall should be is none of it.
 constexpr double kOffWall = 0.25;
 
@@ -39,9 +42,25 @@ void addWalls(const SectionOutline &outline, const SlitLine &slit, ForceSite &si
         site.walls[1] = site.walls[0];
 }
 
-WallStretch plusStretch(const LineCut &cut, const SlitWall &wall)
+bool isAlong(const LineCut &cut, const SlitWall &wall)
 {
-    const bool isRoot = isOnPlusSide(cut, wall.root), isMouth = isOnPlusSide(cut, wall.mouth);
+    return std::max(std::abs(cut.line.across(wall.root.at)),
+                    std::abs(cut.line.across(wall.mouth.at))) <= kOnCut;
+}
+
+/// `slit` is a place in it.
+WallStretch plusStretch(const LineCut &cut, const SlitWall &wall, const Vec2 &slit)
+{
+    bool isRoot = isOnPlusSide(cut, wall.root), isMouth = isOnPlusSide(cut, wall.mouth);
+    if (isAlong(cut, wall)) {
+        // All of it is where its end beyond the cut is, or where the material behind it is.
+        if (!liesOnCut(cut, wall.mouth.at))
+            isRoot = isMouth;
+        else if (!liesOnCut(cut, wall.root.at))
+            isMouth = isRoot;
+        else
+            isRoot = isMouth = cut.line.across(slit) > 0.0;
+    }
     if (isRoot == isMouth)
         return {0.0, isRoot ? 1.0 : 0.0};
     const double root = cut.line.across(wall.root.at), mouth = cut.line.across(wall.mouth.at);
@@ -58,7 +77,7 @@ std::vector<ForceSite> forceSites(const SectionOutline &outline,
     for (const AppliedForce &force : forces) {
         ForceSite site;
         site.at = force.at;
-        site.radius = std::max(0.0, force.radius);
+        site.radius = std::max(kLeastRadius, force.radius);
         Vec2 inside = force.at;
         if (force.kind == ForceKind::Link)
             inside -= kBeyondRoot * force.slit.opening;
@@ -103,7 +122,7 @@ PlusShare plusShare(const LineCut &cut, const ForceSite &site)
     PlusShare plus = plusDisc(cut, site);
     plus.hasWalls = site.hasWalls;
     for (std::size_t i = 0; site.hasWalls && i < plus.walls.size(); ++i)
-        plus.walls[i] = plusStretch(cut, site.walls[i]);
+        plus.walls[i] = plusStretch(cut, site.walls[i], site.at);
     return plus;
 }
 

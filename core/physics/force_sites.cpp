@@ -7,6 +7,9 @@ namespace fff {
 
 namespace {
 
+/// What a cut touches it meets, for all rounding, mm.
+constexpr double kMeetingSlack = 1e-5;
+
 bool isBefore(const ForceSite &a, const ForceSite &b)
 {
     const OutlinePoint &p = a.held.anchor, &q = b.held.anchor;
@@ -37,9 +40,10 @@ bool meets(const LineCut &cut, const Box2 &box)
 {
     const Vec2 middle = 0.5 * (box.min + box.max), half = 0.5 * box.size();
     const Vec2 direction = cut.line.direction.cwiseAbs();
-    if (std::abs(cut.line.across(middle)) > half.x() * direction.y() + half.y() * direction.x())
+    const double width = half.x() * direction.y() + half.y() * direction.x() + kMeetingSlack;
+    if (std::abs(cut.line.across(middle)) > width)
         return false;
-    const double along = cut.line.along(middle), reach = half.dot(direction);
+    const double along = cut.line.along(middle), reach = half.dot(direction) + kMeetingSlack;
     return along + reach >= cut.chords.front().from && along - reach <= cut.chords.back().to;
 }
 

@@ -14,17 +14,6 @@ constexpr double kBeginSlack = 1e-3;
 /// Sides of less area are dust, mm².
 constexpr double kSideDust = 1e-9;
 
-/// The way between two points, of which the first lies on the boundary, passes through the cut.
-bool passesCut(const LineCut &cut, const Vec2 &a, const Vec2 &b)
-{
-    const double da = cut.line.across(a), db = cut.line.across(b);
-    if ((da >= 0.0) == (db >= 0.0))
-        return false;
-    const double share = da / (da - db);
-    const double along = cut.line.along(a) + share * (cut.line.along(b) - cut.line.along(a));
-    return along > cut.chords.front().from && along < cut.chords.back().to;
-}
-
 /// The boundary point is on the cut's left, once it is known where the rings begin.
 bool isBoundaryLeft(const LineCut &cut, const OutlinePoint &point)
 {
@@ -39,6 +28,24 @@ bool isBoundaryLeft(const LineCut &cut, const OutlinePoint &point)
         if (c.point.ring == point.ring && c.point.isBefore(point))
             isLeft = c.isToLeft;
     return isLeft;
+}
+
+/// The same of a point that is seen straight from there, through the material.
+bool isSeenLeft(const LineCut &cut, const OutlinePoint &from, const Vec2 &point)
+{
+    const double there = cut.line.across(point);
+    // From a boundary point on the cut, at a vertex that it passes or at its end, the way leads to
+    // one side. On which of them the point itself is counted has no part in it.
+    if (liesOnCut(cut, from.at))
+        return there >= 0.0;
+    const bool isFromLeft = isBoundaryLeft(cut, from);
+    const double here = cut.line.across(from.at);
+    if ((here >= 0.0) == (there >= 0.0))
+        return isFromLeft;
+    const double share = here / (here - there), along = cut.line.along(from.at);
+    const double where = along + share * (cut.line.along(point) - along);
+    const bool passes = where > cut.chords.front().from && where < cut.chords.back().to;
+    return isFromLeft != passes;
 }
 
 /// What of the minus side is bounded by the crossings of one ring.
@@ -84,8 +91,7 @@ void placeHoles(const SectionOutline &outline, LineCut &cut, AreaMoment &left)
         if (isCrossed[hole])
             continue;
         const SectionOutline::Bridge &bridge = outline.bridges()[hole];
-        const bool isLeft =
-            isBoundaryLeft(cut, bridge.to) != passesCut(cut, bridge.to.at, bridge.from);
+        const bool isLeft = isSeenLeft(cut, bridge.to, bridge.from);
         cut.isHoleLeft[hole] = isLeft ? 1 : 0;
         if (isLeft)
             left += outline.ofRing(ring);
@@ -330,9 +336,16 @@ HeldPoint held(const SectionOutline &outline, const Vec2 &point, const Vec2 &kno
     return {point, outline.nearest(point, known)};
 }
 
+bool liesOnCut(const LineCut &cut, const Vec2 &point)
+{
+    const double along = cut.line.along(point);
+    return std::abs(cut.line.across(point)) <= kOnCut &&
+           along >= cut.chords.front().from - kOnCut && along <= cut.chords.back().to + kOnCut;
+}
+
 bool isOnPlusSide(const LineCut &cut, const HeldPoint &point)
 {
-    return isBoundaryLeft(cut, point.anchor) == passesCut(cut, point.anchor.at, point.at);
+    return !isSeenLeft(cut, point.anchor, point.at);
 }
 
 } // namespace fff

@@ -173,6 +173,8 @@ struct HeldPoint
 HeldPoint held(const SectionOutline &outline, const Vec2 &point);
 /// The same, faster the nearer a known point of the boundary is.
 HeldPoint held(const SectionOutline &outline, const Vec2 &point, const Vec2 &known);
+/// Between the two ends of the cut, on its line.
+bool liesOnCut(const LineCut &cut, const Vec2 &point);
 /// On the plus side; a point outside of the material counts as its anchor. O(crossings of holes).
 bool isOnPlusSide(const LineCut &cut, const HeldPoint &point);
 

@@ -32,8 +32,14 @@ constexpr double kLeastRadius = 0.55;
 constexpr double kCurvedRadius = 2.0;
 /// Beyond this radius in widths curvature adds less than 2 %.
 constexpr double kStraightRadius = 20.0;
-/// Only what leans less than this from a slit runs beside it (22.5°, its cosine).
-constexpr double kBesideCosine = 0.9238795325112867;
+/// Only what leans no more than this from a slit runs beside it (22.5°, its cosine, and rounding:
+/// rays and lines of the grid lean by just that).
+constexpr double kBesideCosine = 0.9238795325112867 - 1e-6;
+/// What begins at a slit's root does not pass it: nearer than this it is level with it, mm.
+constexpr double kLevel = kClipSlack;
+/// Of two faces that are as opposite to the other end's, up to this, the first one is taken (no
+/// unit); of two shadows that leave as much the first one, mm.
+constexpr double kTie = 1e-7;
 /// The way from a chord to the slit's corner may touch what both of them touch, mm.
 constexpr double kTouchSlack = 0.05;
 
@@ -119,8 +125,8 @@ void measureLean(const EndNormals &begins, const EndNormals &ends, const Vec2 &w
             const bool isGood = !isSameSide && straight >= kLeastStraight;
             const bool wasGood = !neck.isSameSide && neck.straight >= kLeastStraight;
             const bool isBetter = isGood != wasGood ? isGood
-                                  : isGood          ? width > widest
-                                                    : straight > neck.straight;
+                                  : isGood          ? width > widest + kTie
+                                                    : straight > neck.straight + kTie;
             if (!isFirst && !isBetter)
                 continue;
             isFirst = false;
@@ -218,7 +224,7 @@ void shadow(const PieceShape &shape, int index, Neck &neck)
     const Vec2 side = perpendicular(slit.opening);
     const double lowAlong = slit.opening.dot(low - slit.root);
     const double highAlong = slit.opening.dot(high - slit.root);
-    if (lowAlong >= 0.0 || highAlong <= 0.0 ||
+    if (lowAlong >= -kLevel || highAlong <= kLevel ||
         std::abs(chord.normalized().dot(slit.opening)) < kBesideCosine ||
         !shape.netCuts[static_cast<std::size_t>(index)])
         return;
@@ -234,13 +240,13 @@ void shadow(const PieceShape &shape, int index, Neck &neck)
                (sign * side.dot(p - slit.root) - 0.5 * slit.width);
     };
     const double under = above(low), over = above(high);
-    if (under >= 0.0 || over <= 0.0)
+    if (under >= -kLevel || over <= kLevel)
         return;
     const Vec2 limit = low + (under / (under - over)) * (high - low);
     const double limitAlong = slit.opening.dot(limit - slit.root);
     const double length = (limit - low).norm() * neck.straight;
-    if (limitAlong < 0.0 || limitAlong > slit.depth ||
-        (neck.shadowSlit >= 0 && length >= neck.shadowLength))
+    if (limitAlong < -kLevel || limitAlong > slit.depth + kLevel ||
+        (neck.shadowSlit >= 0 && length >= neck.shadowLength - kTie))
         return;
     const Vec2 corner = slit.root + sign * 0.5 * slit.width * side;
     if (!shape.outline.isClear(corner, level, kTouchSlack))

@@ -8,9 +8,8 @@ namespace fff {
 
 namespace {
 
-/// A vertex is on a line if it is nearer than this share of the largest coordinate: more than
-/// rounding can be, less than any feature. Exact predicates decide there.
-constexpr double kRounding = 1e-12;
+/// A vertex may be on a line if it is nearer, mm: then that line is asked for by itself.
+constexpr double kMayBeOn = 2.0 * kOnCut;
 
 } // namespace
 
@@ -51,9 +50,7 @@ int ParallelLines::rowOf(double position, double slack)
 void ParallelLines::crossRing(int ring, double spacing)
 {
     const Polygon &points = m_outline.rings()[static_cast<std::size_t>(ring)];
-    const double largest = std::max(m_outline.bounds().min.cwiseAbs().maxCoeff(),
-                                    m_outline.bounds().max.cwiseAbs().maxCoeff());
-    const double slack = kRounding * (largest + spacing) / spacing;
+    const double slack = kMayBeOn / spacing;
     m_rows.clear();
     for (const Vec2 &p : points)
         m_rows.push_back(rowOf((m_step.dot(p) - m_first) / spacing, slack));

@@ -39,7 +39,7 @@ private:
 
     const SectionOutline &m_outline;
     std::vector<CutLine> m_lines;
-    std::vector<char> m_isUnsure; // a vertex lies on the line, but for rounding
+    std::vector<char> m_isUnsure; // a vertex may lie on the line
     std::vector<int> m_rows;      // of a ring's vertices: the last line that is not beyond it
     std::vector<Event> m_events;
     std::vector<std::size_t> m_begins; // of each line in m_sorted; one more

@@ -10,6 +10,10 @@ namespace {
 /// Lines of the grid nearer than this many spacings are refined to the same place.
 constexpr double kSameBracket = 1.5;
 
+/// Of lines of the grid that are strained as much, up to this share, the first one is refined: at
+/// symmetrical places rounding would choose.
+constexpr double kSameUse = 1e-5;
+
 /// What is left over, as a share of the largest force or, over the size of the piece, moment.
 double shareOf(const SectionCuts &cuts, const SideForce &rest,
                const std::vector<AppliedForce> &forces, const Vec3 &arealWeight)
@@ -81,12 +85,13 @@ bool SampleStresses::counts(std::size_t index)
 /// Of the first `count` necks.
 int SampleStresses::worst(double NeckStress::*use, std::size_t count, bool isOfGrid)
 {
+    const double enough = isOfGrid ? 1.0 + kSameUse : 1.0;
     int worst = -1;
     for (std::size_t i = 0; i < count; ++i) {
         const NeckStress &neck = m_result.necks[i];
         if (neck.isCovered || (isOfGrid && !(neck.kind == SampleKind::Grid && neck.*use > 0.0)))
             continue;
-        if ((worst < 0 || neck.*use > useOf(worst, use)) && counts(i))
+        if ((worst < 0 || neck.*use > enough * useOf(worst, use)) && counts(i))
             worst = static_cast<int>(i);
     }
     return worst;

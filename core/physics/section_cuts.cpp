@@ -19,8 +19,8 @@ namespace {
 constexpr double kMinLigament = 0.05;
 constexpr int kDirections = 8;
 /// A line of the grid that leans by more than one step of the directions is left to a squarer one.
-/// The cosine of that.
-constexpr double kGridStraight = 0.9238795325112867;
+/// The cosine of that, and rounding: between straight edges lines lean by just one.
+constexpr double kGridStraight = 0.9238795325112867 - 1e-6;
 constexpr double kFanStep = std::numbers::pi / 16;
 constexpr int kFanSteps = 6; // to each side
 /// How far below a slit's root the line square to it runs, mm.
@@ -33,6 +33,8 @@ constexpr double kCornerReach = 0.5;
 constexpr double kLigamentLean = 0.6981317007977318;
 /// Lines this near are one, mm.
 constexpr double kSameLine = 1e-6;
+/// Of two ligaments that are as long, up to this, mm, the first one is taken.
+constexpr double kSameLength = 1e-7;
 /// How many spacings of the grid a member is wide, to begin with; and how much longer than the one
 /// before the next chord may be that is found at once.
 constexpr double kFirstReach = 8.0;
@@ -231,7 +233,7 @@ void SampleMaker::addLigament(const ReentrantCorner &corner)
                                     outline.vertex(ring, edge + 1) - corner.at);
         if (p && p->norm() <= kMinLigament) {
             m_isPinched = true;
-        } else if (p && p->norm() < least) {
+        } else if (p && p->norm() < least - kSameLength) {
             least = p->norm();
             nearest = *p;
         }

@@ -2,7 +2,6 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/directions.h"
-#include "core/geometry/side_of_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +12,12 @@ namespace fff {
 
 namespace {
 
-/// The second point of a line for the predicate, mm: far enough that its rounding does not tilt the
-/// line over the size of a section, near enough that it adds no digits.
-constexpr double kCutBase = 1024.0;
 /// An inside angle of more is a corner that weakens (200°): its sine and cosine beyond 180°.
 constexpr double kReentrantSine = 0.3420201433256687;
+
+/// Of two places on the boundary that are as near, up to this, mm, the first one is the nearest:
+/// between the walls of a slit rounding would choose.
+constexpr double kTie = 1e-7;
 
 Polygon withoutRepeats(const Polygon &ring)
 {
@@ -34,6 +34,14 @@ Polygon withoutRepeats(const Polygon &ring)
 std::size_t at(int index)
 {
     return static_cast<std::size_t>(index);
+}
+
+/// How far to the left of a line a vertex lies, mm; 0 for one on it. The same answer for all edges
+/// that meet there, and so far from rounding that it needs no exact predicate.
+double sideOf(const CutLine &line, const Vec2 &vertex)
+{
+    const double left = line.across(vertex);
+    return std::abs(left) <= kOnCut ? 0.0 : left;
 }
 
 } // namespace
@@ -140,8 +148,8 @@ class EdgeCrosser
 public:
     EdgeCrosser(const Polygon &points, int ring, const CutLine &line, const LineSpan &span,
                 LineCrossings &found)
-        : m_points(points), m_ring(ring), m_line(line), m_second(line.at(kCutBase)), m_span(span),
-          m_found(found), m_known(points.size())
+        : m_points(points), m_ring(ring), m_line(line), m_span(span), m_found(found),
+          m_known(points.size())
     {
     }
 
@@ -150,8 +158,8 @@ public:
         const std::size_t j = i + 1 == m_points.size() ? 0 : i + 1;
         // Edges of a run follow each other: of each, the side of its end is that of the next one's
         // beginning.
-        const double here = m_known == i ? m_side : sideOf(m_points[i]);
-        const double there = sideOf(m_points[j]);
+        const double here = m_known == i ? m_side : sideOf(m_line, m_points[i]);
+        const double there = sideOf(m_line, m_points[j]);
         m_known = j;
         m_side = there;
         if ((here == 0.0 || there == 0.0) && !m_found.isTouched) {
@@ -175,16 +183,9 @@ public:
     }
 
 private:
-    double sideOf(const Vec2 &p) const
-    {
-        // Where a cut begins at a vertex, that is on it: no need to work it out.
-        return p == m_line.point ? 0.0 : sideOfLine(m_line.point, m_second, p);
-    }
-
     const Polygon &m_points;
     int m_ring;
     const CutLine &m_line;
-    Vec2 m_second;
     const LineSpan &m_span;
     LineCrossings &m_found;
     std::size_t m_known;
@@ -204,24 +205,34 @@ public:
     {
         const Vec2 half = 0.5 * box.size();
         const Vec2 middle = box.min + half - m_line.point;
-        const double reach = m_slope.y() * half.x() + m_slope.x() * half.y() + kClipGrid;
+        const double reach = m_slope.y() * half.x() + m_slope.x() * half.y() + kSpare;
         if (std::abs(cross(m_line.direction, middle)) > reach)
             return false;
         const double along = m_line.direction.dot(middle);
-        const double length = m_slope.dot(half) + kClipGrid;
+        const double length = m_slope.dot(half) + kSpare;
         return along + length >= m_span.from && along - length <= m_span.to;
     }
 
 private:
+    static constexpr double kSpare = 2.0 * kOnCut; // mm: vertices on the line are at hand with both
+                                                   // of their edges
     const CutLine &m_line;
     const LineSpan &m_span;
     Vec2 m_slope;
 };
 
+/// Of two at one place, as where a line touches a corner, rounding would say which is first: into
+/// the material and out of it take turns.
 void sortAlong(std::vector<OutlineCrossing> &crossings)
 {
     std::sort(crossings.begin(), crossings.end(),
               [](const OutlineCrossing &a, const OutlineCrossing &b) { return a.along < b.along; });
+    for (std::size_t i = 1; i + 1 < crossings.size(); ++i) {
+        OutlineCrossing &here = crossings[i], &next = crossings[i + 1];
+        if (here.isToLeft == crossings[i - 1].isToLeft && next.isToLeft != here.isToLeft &&
+            next.along - here.along <= kOnCut)
+            std::swap(here, next);
+    }
 }
 
 } // namespace
@@ -282,7 +293,6 @@ std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, i
 {
     if (!leadsInside(line.direction, ring, vertex))
         return std::nullopt;
-    const Vec2 second = line.at(kCutBase);
     std::optional<OutlineCrossing> first;
     LineSpan span{0.0, std::numeric_limits<double>::infinity()};
     const NearLine isNear(line, span);
@@ -294,7 +304,7 @@ std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, i
         double here = 0.0;
         for (std::size_t i = run.begin; i <= run.end; ++i) {
             const Vec2 &p = points[i == points.size() ? 0 : i];
-            const double there = p == line.point ? 0.0 : sideOfLine(line.point, second, p);
+            const double there = sideOf(line, p);
             if (there == 0.0 && p != line.point && line.along(p) > 0.0 && line.along(p) <= span.to)
                 return std::nullopt;
             const int edge = static_cast<int>(i) - 1;
@@ -315,7 +325,7 @@ std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, i
 OutlinePoint SectionOutline::entryAt(const CutLine &line, int ring, int vertex) const
 {
     const Vec2 &p = m_rings[at(ring)][at(vertex)];
-    if (sideOfLine(line.point, line.at(kCutBase), SectionOutline::vertex(ring, vertex + 1)) < 0.0)
+    if (line.across(SectionOutline::vertex(ring, vertex + 1)) < 0.0)
         return {ring, vertex, 0.0, p};
     const int before = vertex == 0 ? static_cast<int>(m_rings[at(ring)].size()) - 1 : vertex - 1;
     return {ring, before, 1.0, p};
@@ -338,7 +348,7 @@ OutlinePoint SectionOutline::nearest(const Vec2 &point) const
 
 OutlinePoint SectionOutline::nearest(const Vec2 &point, const Vec2 &known) const
 {
-    return nearestWithin(point, (known - point).norm() + kClipGrid);
+    return nearestWithin(point, (known - point).norm() + 2.0 * kTie);
 }
 
 /// Of what is nearer than `least` mm; something is.
@@ -354,7 +364,7 @@ OutlinePoint SectionOutline::nearestWithin(const Vec2 &point, double least) cons
                               const double share =
                                   std::clamp(way.dot(point - a) / way.squaredNorm(), 0.0, 1.0);
                               const Vec2 here = a + share * way;
-                              if (const double d = (here - point).norm(); d < least) {
+                              if (const double d = (here - point).norm(); d < least - kTie) {
                                   least = d;
                                   best = {static_cast<int>(ring), static_cast<int>(i), share, here};
                               }

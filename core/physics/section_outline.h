@@ -2,6 +2,7 @@
 // lies along a stretch of it. All lengths in mm, coordinates of the section's frame.
 #pragma once
 
+#include "core/base/tolerances.h"
 #include "core/geometry/box_runs.h"
 #include "core/geometry/polygon.h"
 
@@ -78,8 +79,12 @@ struct LineSpan
     double to = std::numeric_limits<double>::infinity();
 };
 
-/// The crossings of a line, in their order along it. Vertices exactly on it count as to its left in
-/// the one list and as to its right in the other, which is filled only where there are such.
+/// A boundary point this near to a cut lies on it, mm: rays pass corners that the booleans rounded,
+/// in symmetrical models many of them, and on which side is chance.
+inline constexpr double kOnCut = kClipSlack;
+
+/// The crossings of a line, in their order along it. Vertices on it count as to its left in the one
+/// list and as to its right in the other, which is filled only where there are such.
 struct LineCrossings
 {
     std::vector<OutlineCrossing> touchedLeft, touchedRight;

@@ -97,6 +97,8 @@ private Q_SLOTS:
     void nearAsOnAllOfTheLine();
     void parallelLinesAsOneByOne();
     void fromAVertexToTheNearestEdge();
+    void cornersThatARayGrazes();
+    void forcesOnTheCut();
 };
 
 void TestLineCut::sidesAreThoseOfClipper()
@@ -409,6 +411,63 @@ void TestLineCut::fromAVertexToTheNearestEdge()
     }
     QVERIFY2(found > 5000 && missed < found / 100,
              qPrintable(QStringLiteral("%1 found, %2 missed").arg(found).arg(missed)));
+}
+
+void TestLineCut::cornersThatARayGrazes()
+{
+    // Wrong: a ray that passes a corner by as much as coordinates are rounded goes on beyond it, or
+    // not, as rounding has it; or what is held to that corner is on the other side then.
+    std::mt19937 random(23);
+    std::uniform_real_distribution<double> noise(-1e-7, 1e-7);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 by(100.0 * noise(random) * 1e7, 100.0 * noise(random) * 1e7);
+        // A plate with a slit from above and one from the right: from corner to corner at 45°.
+        Polygon ring{{0, 0},   {60, 0},  {60, 20}, {40, 20}, {40, 23}, {60, 23},
+                     {60, 60}, {23, 60}, {23, 40}, {20, 40}, {20, 60}, {0, 60}};
+        for (Vec2 &p : ring)
+            p += by + Vec2(noise(random), noise(random));
+        const SectionOutline outline(Region{ring, {}});
+        LineCutter cutter(outline);
+        const int begin = 9, end = 3;
+        const Vec2 from = outline.vertex(0, begin);
+        const Vec2 way = Vec2(1.0, -1.0).normalized();
+        cutter.focus(from, 100.0);
+        const auto cut = cutter.fromVertex({from, way}, 0, begin, 100.0);
+        QVERIFY(cut);
+        const Chord &chord = cut->cut.chords.front();
+        QVERIFY(std::abs(chord.length() - 20.0 * std::numbers::sqrt2) < 1e-6);
+        QVERIFY((chord.end.at - outline.vertex(0, end)).norm() < 1e-6);
+        for (const double away : {-5.0, 5.0}) { // both are held to one of the two corners
+            const Vec2 at = from + 10.0 * way + away * perpendicular(way);
+            QCOMPARE(isOnPlusSide(cut->cut, held(outline, at)), away < 0.0);
+        }
+        for (const double away : {-2.0, 2.0}) {
+            const Vec2 at = outline.vertex(0, end) - 2.0 * way + away * perpendicular(way);
+            QCOMPARE(isOnPlusSide(cut->cut, held(outline, at)), away < 0.0);
+        }
+    }
+}
+
+void TestLineCut::forcesOnTheCut()
+{
+    // Wrong: a force right on a cut is on either side, as rounding has it; one in the middle of a
+    // slit is held to either of its walls.
+    const Region region{
+        {{0, 0}, {60, 0}, {60, 60}, {32, 60}, {32, 30}, {28, 30}, {28, 60}, {0, 60}}, {}};
+    const SectionOutline outline(region);
+    LineCutter cutter(outline);
+    const auto cut = cutter.at({{30, 10}, Vec2::UnitX()}, 0.0, 0.0, 100.0);
+    QVERIFY(cut);
+    for (const double away : {-1e-9, -1e-14, 0.0, 1e-14, 1e-9}) {
+        AppliedForce force;
+        force.at = {17.0, 10.0 + away};
+        force.force = {0.0, 0.0, 1.0};
+        const auto sites = forceSites(outline, {force}, 3.0);
+        const PlusShare plus = plusShare(cut->cut, sites.front());
+        QVERIFY(std::abs(plus.share - 0.5) < 1e-5);
+        const HeldPoint inSlit = held(outline, {30.0 + away, 45.0});
+        QVERIFY((inSlit.anchor.at - Vec2(32.0, 45.0)).norm() < 1e-6);
+    }
 }
 
 FFF_TEST(TestLineCut)
