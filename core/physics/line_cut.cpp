@@ -283,15 +283,32 @@ std::optional<CutChord> LineCutter::from(const CutLine &line, double reach)
     return least(line, [](const Candidate &c) { return c.length(); });
 }
 
+/// From a vertex of the outer ring; nothing where that is not sure.
+std::optional<OutlineCrossing> LineCutter::firstAhead(const CutLine &line, int ring, int vertex)
+{
+    if (ring != 0 || line.point != m_focus)
+        return std::nullopt;
+    for (;;) {
+        const auto ahead = m_outline.firstAhead(line, ring, vertex, m_focused);
+        if (!ahead)
+            return std::nullopt;
+        if (ahead->along <= m_focusReach) {
+            // Over holes more than one chord counts.
+            const bool isSure = ahead->point.ring == 0 && ahead->along > kBeginSlack;
+            return isSure ? ahead : std::nullopt;
+        }
+        if (!(m_focusReach < m_outline.bounds().size().norm()))
+            return std::nullopt;
+        constexpr double kWider = 2.0;
+        focus(m_focus, kWider * std::max(m_focusReach, kBeginSlack));
+    }
+}
+
 std::optional<CutChord> LineCutter::fromVertex(const CutLine &line, int ring, int vertex,
                                                double reach)
 {
-    const std::optional<OutlineCrossing> ahead =
-        ring == 0 && line.point == m_focus ? m_outline.firstAhead(line, ring, vertex, m_focused)
-                                           : std::nullopt;
-    // Over holes more than one chord counts.
-    if (!ahead || ahead->point.ring != 0 || ahead->along <= kBeginSlack ||
-        ahead->along > m_focusReach)
+    const std::optional<OutlineCrossing> ahead = firstAhead(line, ring, vertex);
+    if (!ahead)
         return from(line, reach);
     const OutlineCrossing ends[] = {{0.0, m_outline.entryAt(line, ring, vertex), false}, *ahead};
     const Run run{&ends[0], &ends[1], 2};

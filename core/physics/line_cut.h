@@ -89,7 +89,7 @@ public:
     }
 
     /// The cuts to come are near to the point, most of them within so many mm: of these all are
-    /// faster. Until the next one.
+    /// faster. Until the next one; rays from the point that go farther widen it.
     void focus(const Vec2 &point, double reach);
 
     /// The shortest chord that contains the place `along` of the line, within `slack` mm. Where
@@ -147,6 +147,7 @@ private:
     std::optional<CutChord> least(const CutLine &line, Value value);
 
     void findCrossings(const CutLine &line, const LineSpan &span);
+    std::optional<OutlineCrossing> firstAhead(const CutLine &line, int ring, int vertex);
 
     const SectionOutline &m_outline;
     LineCrossings m_crossings;

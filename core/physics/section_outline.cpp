@@ -293,8 +293,8 @@ std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, i
 {
     if (!leadsInside(line.direction, ring, vertex))
         return std::nullopt;
-    std::optional<OutlineCrossing> first;
     LineSpan span{0.0, std::numeric_limits<double>::infinity()};
+    OutlineCrossing first{span.to, {}, true};
     const NearLine isNear(line, span);
     for (const EdgeRun &run : among) {
         if (!isNear(run.box))
@@ -319,7 +319,7 @@ std::optional<OutlineCrossing> SectionOutline::firstAhead(const CutLine &line, i
             here = there;
         }
     }
-    return first && first->isToLeft ? first : std::nullopt;
+    return first.isToLeft ? std::optional(first) : std::nullopt;
 }
 
 OutlinePoint SectionOutline::entryAt(const CutLine &line, int ring, int vertex) const

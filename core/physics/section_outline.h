@@ -163,8 +163,8 @@ public:
     void crossings(const CutLine &line, const LineSpan &span, const std::vector<EdgeRun> &among,
                    LineCrossings &found) const;
     /// From a vertex on into the material, where the line begins and which way it goes: the first
-    /// crossing, among these edges. Nothing if it does not go there, if vertices lie on the line up
-    /// to it, or rings touch.
+    /// crossing, among these edges; endlessly far where none is ahead. Nothing if it does not go
+    /// there, if vertices lie on the line up to it, or rings touch.
     std::optional<OutlineCrossing> firstAhead(const CutLine &line, int ring, int vertex,
                                               const std::vector<EdgeRun> &among) const;
     /// Where a ring goes over to the right of such a line, at the vertex that this begins at.
