@@ -9,12 +9,18 @@ namespace fff::hints {
 inline constexpr Text kOfferCircle = FFF_TEXT("Hint", "B: make it a circle");
 inline constexpr Text kOfferEllipse = FFF_TEXT("Hint", "B: make it an ellipse");
 inline constexpr Text kOfferStraight = FFF_TEXT("Hint", "B: make its lines straight");
-inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: make corners right angles");
+inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: square the corners");
 inline constexpr Text kOfferMoveIn = FFF_TEXT("Hint", "B: move its slit in from the edge");
 // While it is drawn.
 inline constexpr Text kOneWall = FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing");
 inline constexpr Text kOneWallOffer =
     FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing. B: move it in");
+//: %1 is a length
+inline constexpr Text kIsMovedIn = FFF_TEXT("Cue", "Moved in by %1. B: put it back");
+//: %1 and %2 are names of sections
+inline constexpr Text kNotMovedIn =
+    FFF_TEXT("Hint", "%1 stays where it was drawn: moved in, its slit would cut up %2. Draw across "
+                     "the edge, not along it.");
 
 } // namespace fff::hints
 

@@ -1,6 +1,13 @@
 #include "core/interaction/slit_walls.h"
 
+#include "core/analysis/checks.h"
+#include "core/analysis/findings/connection.h"
+#include "core/analysis/findings/in_each_other.h"
+#include "core/analysis/findings/loose_joints.h"
+#include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/wholeness.h"
 #include "core/analysis/joining_move.h"
+#include "core/analysis/trial.h"
 #include "core/base/tolerances.h"
 #include "core/operations/evaluate.h"
 
@@ -17,6 +24,12 @@ constexpr SectionId kGround{1}, kGuest{2};
 constexpr double kBeyondSlit = 3.0;
 /// Where beside the outer half of a slit, the one that is cut, it is looked for walls first.
 constexpr double kLooks[] = {0.55, 0.7, 0.85};
+/// A slit that was moved in may become so many times as long as it was drawn, and so many
+/// thicknesses more: along an edge it would saw the section in two.
+constexpr double kSawsAsLong = 2.0, kSawsDeeper = 4.0;
+/// What a slit at the wrong place breaks.
+constexpr Finder kWholeness[] = {findConnection, findLoosePieces, findJointFaults,
+                                 findFailures,   findDivided,     findLooseJoints};
 
 /// The two alone.
 Document pairOf(const Document &document, Section ground, Section guest)
@@ -122,6 +135,26 @@ std::optional<Parent> movedIn(const Document &document, const Section &ground,
     const Vec2 beyond = moved.slitFrom + 2.0 * (slit.slitTo - slit.slitFrom);
     moved.slitTo = interior.leavingPoint(moved.slitFrom, beyond).value_or(slit.slitTo + way);
     return moved;
+}
+
+bool isWellMovedIn(const Document &drawn, const Document &moved, SectionId guest,
+                   const Section &ground, double slitLength)
+{
+    const Section &section = *moved.find(guest);
+    const AnalysisPointer pair = analysedPair(moved, ground, section);
+    const JointList &joints = pair->assembly.joints;
+    if (joints.begin() == joints.end() || pair->grips.of(*joints.begin()).held.empty())
+        return false;
+    const double most = kSawsAsLong * slitLength + kSawsDeeper * moved.stockOf(section).thickness;
+    for (const Slit &slit : pair->assembly.slits[0])
+        if ((slit.mouth - slit.inner).norm() > most)
+            return false;
+    const auto found = [](const Document &document) {
+        AnalysisCaches analysed;
+        CheckCaches caches;
+        return checks(*analyseNext(evaluate(document), analysed), caches, {}, {}, kWholeness);
+    };
+    return isNoWorse(found(drawn), found(moved));
 }
 
 } // namespace fff

@@ -30,4 +30,10 @@ SlitJudged judgedSlit(const Document &document, const Section &ground, const Int
 std::optional<Parent> movedIn(const Document &document, const Section &ground,
                               const Interior &interior, const Parent &slit, const Vec3 &missing);
 
+/// Whether the guest (of `moved`), whose slit was moved in, is held there and is better off than
+/// where it was drawn (`drawn`, another document with it): its slit saws no deeper into the ground
+/// than one that was drawn so long (mm) lets expect, and no other section is worse off.
+bool isWellMovedIn(const Document &drawn, const Document &moved, SectionId guest,
+                   const Section &ground, double slitLength);
+
 } // namespace fff

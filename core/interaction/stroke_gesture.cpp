@@ -320,6 +320,7 @@ GestureReply StrokeGesture::reply(GestureContext &context)
         break;
     case Stroke::State::Done:
         updateDrawn(context);
+        keepMovedIn(context);
         updateOffer(context);
         return done(context);
     case Stroke::State::Cancelled:
@@ -381,13 +382,29 @@ void StrokeGesture::updateOffer(const GestureContext &context)
 
 bool StrokeGesture::hasOffer() const
 {
-    return m_movedIn && !m_isMovedIn;
+    return m_movedIn.has_value();
+}
+
+/// Only if that does no harm, which is not known before it is drawn.
+void StrokeGesture::keepMovedIn(const GestureContext &context)
+{
+    if (!m_isMovedIn || !m_drawn || !*m_drawn)
+        return;
+    const DrawnContour &moved = **m_drawn;
+    const tl::expected<DrawnContour, Hint> drawn = drawContour(
+        context.model.document, m_target, *m_stroke.contour().contour, rulesOf(context));
+    if (!drawn || isWellMovedIn(drawn->document, moved.document, moved.section.drawn,
+                                *m_ground->section, m_stroke.slitLength()))
+        return;
+    m_isMovedIn = false;
+    m_wasPutBack = true;
+    updateDrawn(context);
 }
 
 /// As it was said while it was drawn, where it is held when it is moved in.
 void StrokeGesture::offerMovedIn(const GestureContext &context)
 {
-    if (!hasOffer())
+    if (!m_movedIn || m_isMovedIn || m_wasPutBack)
         return;
     const StrokeContour &contour = m_stroke.contour();
     const Document &before = context.model.document;
@@ -395,8 +412,8 @@ void StrokeGesture::offerMovedIn(const GestureContext &context)
         drawContour(before, *m_movedIn, *contour.contour, rulesOf(context));
     if (!moved)
         return;
-    const Section &section = *moved->document.find(moved->section.drawn);
-    if (!judgedSlit(before, *m_ground->section, section).isHeld)
+    if (!isWellMovedIn((*m_drawn)->document, moved->document, moved->section.drawn,
+                       *m_ground->section, m_stroke.slitLength()))
         return;
     m_offer = ShapeOffer();
     m_offer->step = {steps::kMoveIn, {Named{moved->name}}};
@@ -428,6 +445,8 @@ GestureReply StrokeGesture::done(const GestureContext &context)
         if (applies && !reply.note)
             reply.note = Hint(text, {Named{drawn.name}});
     };
+    if (m_wasPutBack)
+        reply.note = Hint(hints::kNotMovedIn, {Named{drawn.name}, Named{m_ground->section->name}});
     tell(contour.wasCutAtAxis, hints::kCutAtAxis);
     tell(!contour.doHalvesMeet, hints::kHalvesDoNotMeet);
     tell(contour.beside.has_value(), hints::kHasNeck);

@@ -49,9 +49,10 @@ public:
     void advance(double time, GestureContext &context) override;
     bool isAnimating() const override;
     GestureReply cancel(GestureContext &context) override;
-    /// The slit has material on one side only: moved in from the edge it has it on both.
+    /// The slit has material on one side only: moved in from the edge it has it on both. Taken
+    /// again it goes back.
     bool hasOffer() const override;
-    void takeOffer() override { m_isMovedIn = true; }
+    void takeOffer() override { m_isMovedIn = m_movedIn && !m_isMovedIn; }
     bool hasGuide() const override;
     GestureReply takeGuide(GestureContext &context) override;
     Hint hint() const override;
@@ -94,6 +95,7 @@ private:
     DrawingRules rulesOf(const GestureContext &context) const;
     void updateOffer(const GestureContext &context);
     void offerMovedIn(const GestureContext &context);
+    void keepMovedIn(const GestureContext &context);
     GestureReply reply(GestureContext &context);
     GestureReply running() const;
     GestureReply over() const;
@@ -111,6 +113,7 @@ private:
     std::optional<Vec3> m_missing;          // world, unit: where the slit has no wall
     std::optional<ContourTarget> m_movedIn; // where it has
     bool m_isMovedIn = false;
+    bool m_wasPutBack = false; // moved in it would have done harm
     std::optional<CanvasTurn> m_turn;
     std::optional<HandInTurn> m_hand;
     std::optional<QuickTurn> m_quick; // until it is over

@@ -44,9 +44,17 @@ Frame StrokeGesture::rulers(const GestureContext &context) const
 void StrokeGesture::addWalls(Signs &signs) const
 {
     constexpr double kAbove = 86.0; // px, clear of the zone round the slit and of its length
-    if (!m_missing || m_isMovedIn)
+    if (!m_missing)
         return;
     const Frame &frame = m_ground->section->frame;
+    if (m_isMovedIn) {
+        const double by = (m_movedIn->canvas.origin - m_target.canvas.origin).norm();
+        signs.add(sign::Label{SignRole::Cue,
+                              {frame.toWorld(m_movedIn->parent->slitTo)},
+                              Message{hints::kIsMovedIn, {lengthOf(by)}},
+                              {0.0, -kAbove}});
+        return;
+    }
     signs.add(sign::Label{SignRole::Doubt,
                           {frame.toWorld(m_stroke.slitTo())},
                           Message{m_movedIn ? hints::kOneWallOffer : hints::kOneWall, {}},

@@ -64,6 +64,7 @@ private Q_SLOTS:
     void saysNothingOfAGoodSlit();
     void keyMovesItInWhileItIsDrawn();
     void isOfferedAfterwards();
+    void whatWouldSawItThroughIsNotMovedIn();
     void nowhereToMoveIt();
     void verdictIsThatOfTheChecks_data();
     void verdictIsThatOfTheChecks();
@@ -101,7 +102,10 @@ void TestSlitWalls::keyMovesItInWhileItIsDrawn()
     QCOMPARE(doubt(desk), hints::kOneWallOffer);
     desk.run("section.takeOffer");
     QVERIFY(desk.interaction.hasGesture());
-    QVERIFY(doubt(desk) == Text() && !desk.interaction.hasOffer());
+    QVERIFY(doubt(desk) == Text() && desk.interaction.hasOffer()); // to put it back
+    desk.run("section.takeOffer");
+    QCOMPARE(doubt(desk), hints::kOneWallOffer);
+    desk.run("section.takeOffer");
     drawRound(desk);
     desk.release(desk.cursor);
     QCOMPARE(desk.sections().size(), std::size_t(2));
@@ -132,6 +136,39 @@ void TestSlitWalls::isOfferedAfterwards()
     QVERIFY(!looseOf(desk) && !desk.interaction.hasOffer());
     desk.run("edit.undo");
     QVERIFY(desk.session.committed().document == before);
+}
+
+// Wrong: a stroke along the edge, moved in, saws the section in two without a word.
+void TestSlitWalls::whatWouldSawItThroughIsNotMovedIn()
+{
+    for (const bool isTaken : {false, true}) {
+        Desk desk;
+        desk.addPlate();
+        desk.run("view.front");
+        desk.wait(1000.0);
+        const Vec2 from = desk.plate(88.0, 59.0), to = desk.plate(106.0, 59.0);
+        desk.moveTo(from);
+        desk.press(from);
+        desk.moveTo(to);
+        desk.wait(kTurnTime + 100.0);
+        QCOMPARE(doubt(desk), hints::kOneWallOffer);
+        if (isTaken)
+            desk.run("section.takeOffer");
+        // A plate that goes along all of the edge.
+        const Frame canvas = desk.interaction.overlay().find<sign::Capsule>()->canvas;
+        const auto on = [&](double x, double y) { return desk.screen(canvas.toWorld(Vec2(x, y))); };
+        for (const Vec2 &p :
+             {on(30, 10), on(30, 40), on(-180, 40), on(-180, -40), on(30, -40), on(30, -5)})
+            desk.moveTo(p);
+        desk.release(desk.cursor);
+        QCOMPARE(desk.sections().size(), std::size_t(2));
+        QVERIFY(!desk.interaction.hasOffer());
+        const Section &made = *desk.sections()[1];
+        QVERIFY2(std::abs(made.parent->slitTo.y() - 59.0) < 1.0,
+                 qPrintable(QString::number(made.parent->slitTo.y())));
+        if (isTaken)
+            QCOMPARE(desk.hint(), hints::kNotMovedIn);
+    }
 }
 
 /// A strip that is no wider than slit and walls: it is said, nothing is promised.
