@@ -253,20 +253,27 @@ std::optional<Vec2> prepareStart(Line &line, double reach)
     return Vec2(Vec2::UnitY());
 }
 
+/// Of how far the half reaches from the axis, so far at most a join goes on along that: who stops
+/// farther away did not mean the rest of a circle.
+constexpr double kMostGoingOn = 0.35;
+
 /// From an end of the half that lies off the axis on to it, the way that `heading` (unit) goes.
-CubicBezier joinToAxis(const Vec2 &end, const Vec2 &heading)
+/// largest: how far the half reaches from the axis
+CubicBezier joinToAxis(const Vec2 &end, const Vec2 &heading, double largest)
 {
     // A circle whose centre is on the axis, through the end and tangent to the heading, falls by
     // `sine` there and meets the axis after turning until it falls straight.
     const double sine = std::clamp(-heading.y(), -1.0, 1.0);
     const double cosine = std::sqrt(1.0 - sine * sine);
-    const double along = std::min(end.y() * kLongestJoin, end.y() * (1.0 - sine) / cosine);
+    const double wanted = std::min(end.y() * kLongestJoin, end.y() * (1.0 - sine) / cosine);
+    const double most = kMostGoingOn * largest, along = std::min(wanted, most);
     const double sign = heading.x() < 0.0 ? -1.0 : 1.0;
     // Straight down, the quotient is 0 / 0.
     const Vec2 foot(end.x() + (cosine > kSameDirection ? sign * along : 0.0), 0.0);
     const double turn = std::numbers::pi / 2.0 - std::asin(sine);
     const double handle = (foot - end).norm() / (3.0 * std::pow(std::cos(turn / 4.0), 2.0));
-    return {end, end + handle * heading, foot + handle * Vec2::UnitY(), foot};
+    const double leaving = wanted > most ? std::min(handle, most) : handle;
+    return {end, end + leaving * heading, foot + handle * Vec2::UnitY(), foot};
 }
 
 /// The chain, or the boundary of the largest loop that it makes with the axis. Empty when too
@@ -440,12 +447,13 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
     MirroredHalf result;
     std::vector<CubicBezier> chain;
     if (fitted.front().p0.y() > 0.0) {
-        chain.push_back(joinToAxis(fitted.front().p0, -startDirection(fitted.front())).reversed());
+        chain.push_back(
+            joinToAxis(fitted.front().p0, -startDirection(fitted.front()), largest).reversed());
         result.opening = frame.toCanvas(chain.front());
     }
     chain.insert(chain.end(), fitted.begin(), fitted.end());
     if (fitted.back().p3.y() > 0.0) {
-        chain.push_back(joinToAxis(fitted.back().p3, endDirection(fitted.back())));
+        chain.push_back(joinToAxis(fitted.back().p3, endDirection(fitted.back()), largest));
         result.closing = frame.toCanvas(chain.back());
     }
     const std::vector<CubicBezier> outline =
