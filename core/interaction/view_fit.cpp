@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/interaction/view_cube.h"
 #include "core/templates/template_mesh.h"
 
 #include <algorithm>
@@ -179,6 +180,25 @@ Camera fitted(const Camera &camera, std::span<const Vec3> points, const Vec2 &vi
     }
     result.target = target.x() * axes[0] + target.y() * axes[1] + target.z() * axes[2];
     return result;
+}
+
+Camera fittedClearOfCube(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
+                         const ViewMargins &margins)
+{
+    const Camera whole = fitted(camera, points, viewport, margins);
+    const std::optional<Vec2> cube = cubeCentre(viewport);
+    const double half = 0.5 * kCubeRoom;
+    const auto isUnder = [&](const Vec3 &p) {
+        return (whole.toScreen(p, viewport) - *cube).cwiseAbs().maxCoeff() < half;
+    };
+    if (!cube || std::none_of(points.begin(), points.end(), isUnder))
+        return whole;
+    ViewMargins beside = margins, below = margins;
+    beside.right = std::max(beside.right, viewport.x() - cube->x() + half);
+    below.top = std::max(below.top, cube->y() + half);
+    const Camera a = fitted(camera, points, viewport, beside),
+                 b = fitted(camera, points, viewport, below);
+    return a.millimetresPerPixel <= b.millimetresPerPixel ? a : b;
 }
 
 Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport)

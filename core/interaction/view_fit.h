@@ -32,6 +32,9 @@ std::vector<Vec3> outlinePoints(const Model &model, const std::vector<SectionRef
 /// points: world, mm; none: the ground's 20 cm.
 Camera fitted(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
               const ViewMargins &margins);
+/// The same, and none of the points under the view cube: beside or below it, where more is seen.
+Camera fittedClearOfCube(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
+                         const ViewMargins &margins);
 /// The corners of a box; empty as no points. margins: as of a view that nothing stands over.
 Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport);
 
