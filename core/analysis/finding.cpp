@@ -58,6 +58,11 @@ Message titleOf(const Finding &finding)
     return kind.titled ? kind.titled(finding) : Message{kind.title, {}};
 }
 
+Text adviceOf(const Finding &finding)
+{
+    return finding.kind->advised ? finding.kind->advised(finding) : finding.kind->advice;
+}
+
 NamedSections namesOf(const Model &model, const std::vector<SectionRef> &sections)
 {
     NamedSections named;

@@ -64,6 +64,8 @@ struct FindingKind
     /// Its title while the first sections of a model are drawn, which may still mend it: "Not
     /// connected yet". Empty: it is wrong at once.
     Text yet = {};
+    /// What a person can do about it, by the finding. Null: `advice` is it.
+    Text (*advised)(const Finding &) = nullptr;
 };
 
 /// A value. What only its kind knows of is in its details, which copies share.
@@ -127,6 +129,8 @@ std::optional<Severity> worst(const std::vector<Finding> &findings, Subject subj
 // For sentences.
 
 Message titleOf(const Finding &finding);
+/// What a person can do about it; may be empty.
+Text adviceOf(const Finding &finding);
 NamedSections namesOf(const Model &model, const std::vector<SectionRef> &sections);
 Named nameOf(const Model &model, const SectionRef &section);
 /// Of one of its sections, by its place; empty where it has none there.

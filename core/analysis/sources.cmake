@@ -22,6 +22,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/connection.cpp
     analysis/findings/doubted_stand.cpp
     analysis/findings/drawn_source.cpp
+    analysis/findings/ending_before.cpp
     analysis/findings/in_each_other.cpp
     analysis/findings/joining.cpp
     analysis/findings/loose_joints.cpp

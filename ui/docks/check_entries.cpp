@@ -23,9 +23,10 @@ struct CheckEntryTexts
 /// With what a person can do themselves.
 QString withAdvice(const QString &text, const Finding &finding)
 {
-    if (!finding.kind->advice.source)
+    const Text advised = adviceOf(finding);
+    if (!advised.source)
         return text;
-    const QString advice = messageText(finding.kind->advice);
+    const QString advice = messageText(advised);
     return text.isEmpty() ? advice : text + u' ' + advice;
 }
 

@@ -24,6 +24,9 @@ constexpr Text kFootStep = FFF_TEXT("Step", "Add a foot to %1");
 
 /// A toe, and a foot, are so many thicknesses high at their root, and at their end.
 constexpr double kRootHeight = 5.0, kEndHeight = 2.0;
+/// To each side of a foot across it the pad of what is too narrow for one is so many times as long
+/// as it is high.
+constexpr double kPadWidth = 1.4;
 /// A foot goes on so far beyond the section that it is across, in thicknesses, at least.
 constexpr double kLeastFoot = 6.0;
 /// What stands beside another one is a little more than just beside it.
@@ -152,6 +155,25 @@ std::optional<double> freePlace(const Analysis &analysis, const UprightStand &st
     return nearest == places.end() ? std::nullopt : std::optional(*nearest);
 }
 
+/// The section with a pad on the ground below it, in its plane, wide enough for a foot across it: s
+/// is where. Errors  EmptyContour where the pad would stand apart.
+Result<ShapePointer> withPad(const Section &section, const UprightStand &stand, double s,
+                             double thickness)
+{
+    const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
+    const double half = kPadWidth * root;
+    Polygon pad{onPlane(section, stand, s - half, 0.0),  onPlane(section, stand, s + half, 0.0),
+                onPlane(section, stand, s + half, tip),  onPlane(section, stand, s + root, root),
+                onPlane(section, stand, s - root, root), onPlane(section, stand, s - half, tip)};
+    if (signedArea(pad) < 0.0)
+        std::reverse(pad.begin(), pad.end());
+    const auto all = windingRegions({section.shape->contour(), Contour::ofPolygon(pad)},
+                                    WindingRule::Positive, kCutChord);
+    if (!all || all->size() != 1)
+        return failure(ErrorCode::EmptyContour);
+    return Shape::make(all->front().outer, section.shape->holes());
+}
+
 std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &finding,
                                      const Analysis &analysis, const Flips *)
 {
@@ -164,20 +186,24 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
         const Section &section = *analysis.model.section(index);
         const double thickness = analysis.model.stockOf(index).thickness;
         const double margin = kRootHeight * thickness;
-        if (stand.to - stand.from < 2.0 * margin)
-            continue; // no room for a slit with two walls
+        // No room for a slit with two walls.
+        const bool isNarrow = stand.to - stand.from < 2.0 * margin;
         const Vec2 across(-stand.along.y(), stand.along.x());
         const double beside = across.dot(need.centre - stand.origin);
-        const auto s =
-            freePlace(analysis, stand, stand.along.dot(need.centre - stand.origin), margin);
+        const double below = stand.along.dot(need.centre - stand.origin);
+        const std::optional<double> s = isNarrow ? std::optional(0.5 * (stand.from + stand.to))
+                                                 : freePlace(analysis, stand, below, margin);
         if (!s)
             continue;
         const double reach = std::max(kLeastFoot * thickness, need.reach);
         const double left = std::max(reach, reach - beside),
                      right = std::max(reach, reach + beside);
         const Vec2 at = stand.at(*s);
-        if (left + right >= shortest ||
-            need.marginWith({at - left * across, at + right * across}) <= need.marginWith({}))
+        std::vector<Vec2> feet{at - left * across, at + right * across};
+        if (isNarrow) // what stands on a point has no side
+            for (const double sign : {-1.0, 1.0})
+                feet.push_back(stand.at(*s + sign * kPadWidth * kRootHeight * thickness));
+        if (left + right >= shortest || need.marginWith(feet) <= need.marginWith({}))
             continue;
         const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
         const Polygon outline{{-left, 0.0},   {right, 0.0},    {right, tip},
@@ -191,7 +217,15 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
         foot.stock = section.stock;
         foot.parent = Parent{section.ref(), onPlane(section, stand, *s, 0.0),
                              onPlane(section, stand, *s, root)};
-        Result<Document> next = addSection(analysis.model.document, std::move(foot));
+        Result<Document> next = analysis.model.document;
+        if (isNarrow) {
+            Result<ShapePointer> padded = withPad(section, stand, *s, thickness);
+            if (!padded)
+                continue;
+            next = setShape(*std::move(next), section.id, *std::move(padded));
+        }
+        if (next)
+            next = addSection(*std::move(next), std::move(foot));
         if (!next)
             continue;
         shortest = left + right;

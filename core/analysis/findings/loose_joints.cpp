@@ -1,5 +1,6 @@
 #include "core/analysis/findings/loose_joints.h"
 
+#include "core/analysis/findings/ending_before.h"
 #include "core/analysis/findings/moving_slits.h"
 #include "core/analysis/findings/touching_pairs.h"
 
@@ -41,23 +42,36 @@ Message looseJointSentence(const Finding &finding, const Model &model)
             {host, guest}};
 }
 
-std::vector<FindingAction> moveIn(const Finding &, const Analysis &)
+/// At an edge it is moved away from that; where something else takes its walls, one of the two ends
+/// before the other.
+bool isAtEdge(NoGrip why)
 {
-    return {{&kMoveIn}};
+    return why == NoGrip::OneWall || why == NoGrip::Shallow || why == NoGrip::NoWall;
+}
+
+std::vector<FindingAction> moveIn(const Finding &finding, const Analysis &)
+{
+    if (isAtEdge(finding.details<LooseJoint>()->slit.why))
+        return {{&kMoveIn}};
+    return {{&kEndBefore}};
+}
+
+Text looseAdvice(const Finding &finding)
+{
+    if (isAtEdge(finding.details<LooseJoint>()->slit.why))
+        return FFF_TEXT("Checks", "Move the slit in from the edge.");
+    return FFF_TEXT("Checks", "Let one of the sections that cross there end before the others, or "
+                              "move it aside.");
 }
 
 } // namespace
 
-const FindingKind kLooseJoint{
-    "looseJoint",
-    Subject::Joints,
-    FFF_TEXT("Checks", "Slit holds nothing"),
-    looseJointSentence,
-    moveIn,
-    nullptr,
-    nullptr,
-    nullptr,
-    FFF_TEXT("Checks", "Move the slit in from the edge, or let one of them end before the other.")};
+const FindingKind kLooseJoint{.name = "looseJoint",
+                              .subject = Subject::Joints,
+                              .title = FFF_TEXT("Checks", "Slit holds nothing"),
+                              .sentence = looseJointSentence,
+                              .actions = moveIn,
+                              .advised = looseAdvice};
 
 void findLooseJoints(const Looked &at, std::vector<Finding> &found)
 {

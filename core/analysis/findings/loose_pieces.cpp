@@ -1,5 +1,6 @@
 #include "core/analysis/findings/loose_pieces.h"
 
+#include "core/analysis/findings/ending_before.h"
 #include "core/assembly/joint_editing.h"
 #include "core/operations/evaluate.h"
 
@@ -74,7 +75,7 @@ std::optional<FindingEdit> turned(const FindingAction &, const Finding &finding,
 
 std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
 {
-    return {{&kTurnSlits}};
+    return {{&kTurnSlits}, {&kEndBefore}};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "core/analysis/findings/order.h"
 
+#include "core/analysis/findings/joining.h"
 #include "core/assembly/cycles.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
@@ -28,11 +29,14 @@ Message canOtherwiseSentence(const Finding &finding, const Model &)
 {
     const AssemblyOrder &order = *finding.details<AssemblyOrder>();
     if (order.inEachOther == 1)
-        return {FFF_TEXT("Checks", "Could be assembled if two sections did not overlap."), {}};
-    return {
-        FFF_TEXT_OF_MANY("Checks", "Could be assembled if %n pairs of sections did not overlap."),
-        {},
-        order.inEachOther};
+        return {FFF_TEXT("Checks",
+                         "Cannot be assembled yet. It could be if two sections did not overlap."),
+                {}};
+    return {FFF_TEXT_OF_MANY(
+                "Checks",
+                "Cannot be assembled yet. It could be if %n pairs of sections did not overlap."),
+            {},
+            order.inEachOther};
 }
 
 constexpr Text kShowText = FFF_TEXT("Checks", "Show the steps");
@@ -86,9 +90,13 @@ std::optional<FindingEdit> assemblable(const FindingAction &, const Finding &,
     return FindingEdit{kMakeStep, flips->document, said};
 }
 
-std::vector<FindingAction> makeAssemblable(const Finding &, const Analysis &)
+std::vector<FindingAction> makeAssemblable(const Finding &finding, const Analysis &)
 {
-    return {{&kMakeAssemblable}};
+    std::vector<FindingAction> actions{{&kMakeAssemblable}};
+    if (finding.sections.size() == 2) // one of them stops the other
+        for (const SectionRef &section : finding.sections)
+            actions.push_back({&kTrim, section});
+    return actions;
 }
 
 Message unknownSentence(const Finding &finding, const Model &)
@@ -152,7 +160,7 @@ const ActionKind kMakeAssemblable{plainWords<kMakeText>, assemblable};
 const FindingKind kCanAssemble{"canAssemble", Subject::Assembly,
                                FFF_TEXT("Checks", "Can be assembled"), canSentence, showSteps};
 const FindingKind kCanOtherwiseAssemble{"interference", Subject::Assembly,
-                                        FFF_TEXT("Checks", "Sections overlap"),
+                                        FFF_TEXT("Checks", "Cannot be assembled yet"),
                                         canOtherwiseSentence, showSteps};
 const FindingKind kCannotAssemble{
     "cannotAssemble",

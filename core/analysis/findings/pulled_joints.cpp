@@ -45,7 +45,7 @@ Message pulledTitle(const Finding &finding)
             {}};
 }
 
-constexpr Text kTurnText = FFF_TEXT("Checks", "Flip its slits");
+constexpr Text kFlipPulledText = FFF_TEXT("Checks", "Flip its slits");
 
 std::optional<FindingEdit> slitsTurned(const FindingAction &, const Finding &finding,
                                        const Analysis &analysis, const Flips *)
@@ -56,7 +56,7 @@ std::optional<FindingEdit> slitsTurned(const FindingAction &, const Finding &fin
     return FindingEdit{std::move(edit->step), std::move(edit->document)};
 }
 
-std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
+std::vector<FindingAction> flipPulled(const Finding &, const Analysis &)
 {
     return {{&kTurnPulledSlits}};
 }
@@ -130,15 +130,15 @@ void findHeldByFriction(const Analysis &analysis, const Strength &strength,
 
 } // namespace
 
-const ActionKind kTurnPulledSlits{plainWords<kTurnText>, slitsTurned};
+const ActionKind kTurnPulledSlits{plainWords<kFlipPulledText>, slitsTurned};
 
 const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),
-                              pulledSentence, turnSlits,         nullptr,
+                              pulledSentence, flipPulled,        nullptr,
                               nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it."),
                               pulledTitle};
 const FindingKind kHeldByFriction{"heldByFriction", Subject::Strength,
                                   FFF_TEXT("Checks", "Held by friction"), frictionSentence,
-                                  turnSlits};
+                                  flipPulled};
 
 void findPulledJoints(const Analysis &analysis, const Strength &strength,
                       std::vector<Finding> &found)

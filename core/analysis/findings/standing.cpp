@@ -113,11 +113,20 @@ Message wouldStandSentence(const Finding &finding, const Model &model)
 Message unsteadySentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
+    const bool falls = finding.severity == Severity::Error;
     return ofThese(
         finding, model,
-        {FFF_TEXT("Checks",
-                  "Barely stands: the slightest push tips it over. Tips past %1, margin %2."),
+        {falls ? FFF_TEXT("Checks", "Falls at a touch: tables lean more. Tips past %1, margin %2.")
+               : FFF_TEXT("Checks", "Barely stands: the slightest push tips it over. Tips past %1, "
+                                    "margin %2."),
          {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+}
+
+Message unsteadyTitle(const Finding &finding)
+{
+    return {finding.severity == Severity::Error ? FFF_TEXT("Checks", "Falls at a touch")
+                                                : FFF_TEXT("Checks", "Tips easily"),
+            {}};
 }
 
 /// What else could be a foot; may be empty.
@@ -198,7 +207,8 @@ ProblemLook footingLook(const Finding &finding)
     ProblemLook look;
     if (!footing.support.empty())
         look.grounds.push_back({footing.support, footing.mass.centre, footing.edge, footing.margin,
-                                finding.severity >= Severity::Warning});
+                                finding.severity >= Severity::Warning,
+                                finding.severity == Severity::Warning});
     for (const HighFoot &foot : footing.feet)
         look.feet.push_back({foot.at, foot.height});
     return look;
@@ -260,7 +270,9 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
     finding.at = Vec3(centre.x(), 0.0, centre.z());
     switch (stability.standing) {
     case Standing::Stands:
-        finding.severity = finding.is(kUnsteady) ? Severity::Warning : Severity::Good;
+        finding.severity = !finding.is(kUnsteady)            ? Severity::Good
+                           : stability.tipAngle < kLeastTilt ? Severity::Error
+                                                             : Severity::Warning;
         break;
     case Standing::NoContact:
     case Standing::BelowGround:
@@ -299,7 +311,10 @@ const FindingKind kUnsteady{.name = "unsteady",
                             .sentence = unsteadySentence,
                             .actions = broaden,
                             .look = footingLook,
-                            .spare = tipAngleOf};
+                            .advice = kFootAdvice,
+                            .titled = unsteadyTitle,
+                            .spare = tipAngleOf,
+                            .yet = kNotYet};
 const FindingKind kTopples{.name = "topples",
                            .subject = Subject::Stability,
                            .title = FFF_TEXT("Checks", "Falls over"),

@@ -30,8 +30,13 @@ struct Footing
 /// equipment (IEC 62368-1, stability). Radians.
 inline constexpr double kSteadyTilt = 0.17453292519943295;
 
+/// Tilted by less than this it falls by itself: tables lean, joints give, and an edge that was cut
+/// is not straight. 2°, radians.
+inline constexpr double kLeastTilt = 0.03490658503988659;
+
 extern const FindingKind kStands;
-extern const FindingKind kUnsteady;   // stands, but tips when tilted by less than kSteadyTilt
+extern const FindingKind kUnsteady;   // stands, but tips when tilted by less than kSteadyTilt; an
+                                      // error below kLeastTilt
 extern const FindingKind kWouldStand; // as one piece, which something else says it is not
 extern const FindingKind kTopples;
 extern const FindingKind kLineSupport; // falls to either side

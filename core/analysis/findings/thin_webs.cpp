@@ -1,5 +1,6 @@
 #include "core/analysis/findings/thin_webs.h"
 
+#include "core/analysis/findings/ending_before.h"
 #include "core/analysis/findings/moving_slits.h"
 
 namespace fff {
@@ -27,6 +28,13 @@ Message thinSentence(const Finding &finding, const Model &model)
     const Quantity width =
         web.width < 0.1 ? widthOf(std::max(web.width, 0.01)) : lengthOf(web.width);
     return {text, {nameAt(finding, model, 0), width, namesOf(model, finding.others)}};
+}
+
+Message thinTitle(const Finding &finding)
+{
+    return {finding.severity >= Severity::Warning ? FFF_TEXT("Checks", "Too little material")
+                                                  : FFF_TEXT("Checks", "Rather thin"),
+            {}};
 }
 
 std::vector<FindingAction> widenWeb(const Finding &, const Analysis &)
@@ -80,19 +88,29 @@ Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
     return finding;
 }
 
+std::vector<FindingAction> endEither(const Finding &, const Analysis &)
+{
+    return {{&kEndBefore}};
+}
+
 } // namespace
 
-const FindingKind kThinWeb{"thinWeb",
-                           Subject::Joints,
-                           FFF_TEXT("Checks", "Too little material"),
-                           thinSentence,
-                           widenWeb,
-                           nullptr,
-                           nullptr,
-                           nullptr,
-                           FFF_TEXT("Checks", "Make the section wider there, or move the slit.")};
-const FindingKind kSlitsMeet{"slitsMeet", Subject::Joints,
-                             FFF_TEXT("Checks", "Slits run into each other"), slitsMeetSentence};
+const FindingKind kThinWeb{
+    .name = "thinWeb",
+    .subject = Subject::Joints,
+    .title = FFF_TEXT("Checks", "Too little material"),
+    .sentence = thinSentence,
+    .actions = widenWeb,
+    .advice = FFF_TEXT("Checks", "Make the section wider there, or move the slit."),
+    .titled = thinTitle};
+const FindingKind kSlitsMeet{
+    .name = "slitsMeet",
+    .subject = Subject::Joints,
+    .title = FFF_TEXT("Checks", "Slits run into each other"),
+    .sentence = slitsMeetSentence,
+    .actions = endEither,
+    .advice = FFF_TEXT("Checks", "Let one of the sections that cross there end before the others, "
+                                 "or move it aside.")};
 
 void findThinWebs(const LookedAtPlan &at, std::vector<Finding> &found)
 {
