@@ -28,11 +28,13 @@ struct GroundMark
     Vec2 edge = Vec2::Zero();         // (x, z) of the support's boundary, nearest to it
     double margin = 0.0;              // mm between them, negative: outside
     bool isProblem = true;
+    bool isWarning = false; // one that stands all the same
 
     bool operator==(const GroundMark &other) const
     {
         return support == other.support && centreOfMass == other.centreOfMass &&
-               edge == other.edge && margin == other.margin && isProblem == other.isProblem;
+               edge == other.edge && margin == other.margin && isProblem == other.isProblem &&
+               isWarning == other.isWarning;
     }
 };
 

@@ -133,6 +133,7 @@ void Interaction::setView(ViewState view)
     ViewState marked = d->view;
     marked.problems = view.problems;
     marked.faulty = view.faulty;
+    marked.doubtful = view.doubtful;
     if (!(view == marked))
         d->cancelGesture(); // what it began on may be gone; red alone disturbs nobody
     d->view = std::move(view);

@@ -33,6 +33,7 @@ struct ViewState
     std::set<SectionRef> hidden;   // neither drawn nor picked
     std::set<SectionRef> problems; // drawn red and hatched: of the problem that is looked at
     std::set<SectionRef> faulty;   // a red outline only: of what the cursor is on, and feet
+    std::set<SectionRef> doubtful; // of both, those of a warning: amber in place of red
     std::optional<ClipPlane> clip;
 
     bool isHidden(const SectionRef &ref) const { return hidden.count(ref) > 0; }

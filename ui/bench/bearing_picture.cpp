@@ -86,7 +86,7 @@ bool BearingPicture::isAsked() const
 
 const BearingMarks *BearingPicture::marks()
 {
-    if (!isAsked())
+    if (!isAsked() || m_bench.tried())
         return nullptr;
     const Scheduler &scheduler = m_bench.session().scheduler();
     auto map = bearingNow(scheduler);
@@ -97,9 +97,7 @@ const BearingMarks *BearingPicture::marks()
     m_marks.saysRigid = settings().bendsSections();
     m_marks.map = std::move(map);
     m_marks.said = bearingState(scheduler);
-    m_marks.isOlder =
-        m_marks.map && (m_marks.map->analysis != m_bench.session().analysisPointer() ||
-                        m_bench.tried() != nullptr);
+    m_marks.isOlder = m_marks.map && m_marks.map->analysis != m_bench.session().analysisPointer();
     return &m_marks;
 }
 

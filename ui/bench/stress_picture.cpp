@@ -50,7 +50,9 @@ const StressMarks *StressPicture::marks()
     const Scheduler &scheduler = m_bench.session().scheduler();
     const auto held = heldNow(scheduler);
     const Interaction &interaction = m_bench.interaction();
-    if (!interaction.view().showsStress || !held || m_bench.session().model().sectionCount() == 0)
+    // Of what is only tried it is not known: what is there would be shown on that.
+    if (!interaction.view().showsStress || !held || m_bench.tried() ||
+        m_bench.session().model().sectionCount() == 0)
         return nullptr;
     if (held != m_held) {
         m_held = held;
@@ -60,8 +62,7 @@ const StressMarks *StressPicture::marks()
         m_marks.bent = bentNow(scheduler);
         m_feet = footForces(held->strength);
     }
-    m_marks.isOlder =
-        scheduler.age(kHolding.name) != Scheduler::Age::Current || m_bench.tried() != nullptr;
+    m_marks.isOlder = scheduler.age(kHolding.name) != Scheduler::Age::Current;
     m_marks.forces = m_feet;
     // Those at joints of the section that is chosen, or else under the cursor.
     const Model &model = held->analysis->model;

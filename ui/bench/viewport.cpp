@@ -223,6 +223,7 @@ void Viewport::paintMarks()
     scene.offer = &m_offer;
     if (!isBusy && !m_steps && !isMoved) {
         scene.ghosts = m_bench.ghosts();
+        scene.areGhostsOld = m_bench.tried() != nullptr;
         scene.problems = m_bench.problemLook();
     }
     scene.steps = m_steps ? &m_steps->marks : nullptr;

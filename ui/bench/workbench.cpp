@@ -152,6 +152,7 @@ void Workbench::showAll(std::string_view view)
     state.isolated.clear();
     state.problems.clear();
     state.faulty.clear();
+    state.doubtful.clear();
     state.clip.reset();
     m_interaction->setView(std::move(state));
     announceChanges();
@@ -238,11 +239,13 @@ void Workbench::setProblemMarks(std::vector<ProblemMark> marks)
 }
 
 void Workbench::setProblemLook(ProblemLook look, const std::vector<SectionRef> &hatched,
-                               const std::vector<SectionRef> &outlined)
+                               const std::vector<SectionRef> &outlined,
+                               const std::vector<SectionRef> &doubtful)
 {
     ViewState view = m_interaction->view();
     view.problems = {hatched.begin(), hatched.end()};
     view.faulty = {outlined.begin(), outlined.end()};
+    view.doubtful = {doubtful.begin(), doubtful.end()};
     if (look == m_look && view == m_interaction->view())
         return;
     m_look = std::move(look);
@@ -319,7 +322,8 @@ void Workbench::compareTried()
     const Model &before = now.model, &after = m_tried->analysis->model;
     for (std::size_t i = 0; i < before.sectionCount(); ++i) {
         const int is = after.indexOf(before.ref(i));
-        if (is >= 0 && after.section(static_cast<std::size_t>(is)) == before.section(i))
+        // What operations made anew is another object and may be the same.
+        if (is >= 0 && *after.section(static_cast<std::size_t>(is)) == *before.section(i))
             continue;
         m_wasThere.push_back(before.section(i));
         if (is >= 0)

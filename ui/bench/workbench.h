@@ -71,9 +71,11 @@ public:
     void setHidden(const std::vector<SectionRef> &sections, bool hidden);
     /// Numbers beside problems. A click on one is announced by problemChosen.
     void setProblemMarks(std::vector<ProblemMark> marks);
-    /// What else is drawn of problems; and the sections that are red and hatched, or outlined.
+    /// What else is drawn of problems; the sections that are red and hatched, or outlined; and
+    /// those of them that are amber.
     void setProblemLook(ProblemLook look, const std::vector<SectionRef> &hatched,
-                        const std::vector<SectionRef> &outlined);
+                        const std::vector<SectionRef> &outlined,
+                        const std::vector<SectionRef> &doubtful);
     /// Empty while something else than the model is shown.
     const ProblemLook &problemLook() const { return m_areMarksAside ? m_noLook : m_look; }
     /// Put aside for as long as something else than the model is shown.

@@ -247,7 +247,7 @@ void ChecksDock::showLook()
     ShownProblems shown; // without the dock there are no rows that they could be of
     if (toggleViewAction()->isChecked())
         shown = shownProblems(m_rows, m_list.model(), m_chosen, litFinding());
-    m_bench.setProblemLook(std::move(shown.look), shown.hatched, shown.outlined);
+    m_bench.setProblemLook(std::move(shown.look), shown.hatched, shown.outlined, shown.doubtful);
 }
 
 /// That the cursor is on, in its row or at its mark; null: on none.
@@ -332,6 +332,7 @@ void ChecksDock::choose(int row, bool frames)
     const Finding finding = entryAt(row).finding();
     const QScopedValueRollback choosing(m_isChoosing, true);
     m_chosen = finding;
+    Q_EMIT chosenChanged(m_chosen);
     for (std::size_t i = 0; i < m_widgets.size(); ++i)
         m_widgets[i]->setChecked(static_cast<int>(i) == row);
     // What can be done about a joint is on its page.
@@ -354,6 +355,7 @@ void ChecksDock::forgetChoice()
     if (!m_chosen)
         return;
     m_chosen.reset();
+    Q_EMIT chosenChanged(m_chosen);
     for (CheckRow *row : m_widgets)
         row->setChecked(false);
     markProblems();

@@ -51,6 +51,8 @@ Q_SIGNALS:
     void viewWanted();
     /// It wants to be seen.
     void shown();
+    /// The one that is looked at; nothing: none.
+    void chosenChanged(const std::optional<fff::Finding> &finding);
 
 private:
     void refresh();

@@ -212,11 +212,11 @@ QString DrawingPage::symmetryText() const
     if (!stroke->doHalvesMeet)
         return tr("<b>Not mirrored.</b> The two halves would not meet at the slit.");
     if (!stroke->isMirrored)
-        return tr("<b>Not mirrored.</b> You drew on one side of the axis: %1 on one, %2 on the "
-                  "other. Symmetry is off, or Shift is held.")
+        return tr("<b>Not mirrored.</b> You drew on one side of the axis: %1 on one side, %2 on "
+                  "the other. Symmetry is off, or Shift is held.")
             .arg(far, near);
-    return tr("<b>Mirrored.</b> You drew on one side of the axis: %1 on one, %2 on the other. "
-              "Cross it by %3 or more to draw both sides yourself.")
+    return tr("<b>Mirrored.</b> You drew on one side of the axis: %1 on one side, %2 on the "
+              "other. Cross it by %3 or more to draw both sides yourself.")
         .arg(far, near, lengthText(sides.limit, 1, 1, locale()));
 }
 

@@ -146,11 +146,17 @@ void PropertiesDock::refresh()
         m_modelPage->refresh();
 }
 
-/// The worst that is wrong with the section that is selected.
+void PropertiesDock::setChosen(const std::optional<Finding> &finding)
+{
+    m_chosen = finding;
+    tellProblem();
+}
+
+/// What is wrong with the section that is selected: what is chosen in Checks, or the worst.
 void PropertiesDock::tellProblem()
 {
     const std::vector<int> sections = selectedSections(m_bench);
-    const Finding *worst = nullptr;
+    const Finding *worst = nullptr, *chosen = nullptr;
     int others = -1;
     if (sections.size() == 1 && !m_sectionPage->isHidden()) {
         const SectionRef section =
@@ -161,10 +167,15 @@ void PropertiesDock::tellProblem()
                 std::find(whom.begin(), whom.end(), section) == whom.end())
                 continue;
             ++others;
-            if (!worst || finding.severity > worst->severity)
+            const bool isWorse = !worst || finding.severity > worst->severity;
+            if (m_chosen && isSameVerdict(finding, *m_chosen))
+                chosen = &finding;
+            if (isWorse)
                 worst = &finding;
         }
     }
+    if (chosen)
+        worst = chosen;
     if (!worst) {
         m_problem->hide();
         return;

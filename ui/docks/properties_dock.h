@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "core/base/ids.h"
+#include "core/analysis/finding.h"
 
 #include <QTimer>
 
@@ -32,6 +32,8 @@ public:
 
     /// Reads everything again; also for another theme.
     void refresh();
+    /// The problem that is looked at among the checks; nothing: none.
+    void setChosen(const std::optional<fff::Finding> &finding);
 
 Q_SIGNALS:
     /// The stock editor shall show this one.
@@ -43,6 +45,7 @@ private:
 
     Workbench &m_bench;
     const CheckList &m_list;
+    std::optional<Finding> m_chosen;
     PropertiesHeader *m_header = nullptr;
     ProblemBox *m_problem = nullptr; // of a single section
     ModelPage *m_modelPage = nullptr;

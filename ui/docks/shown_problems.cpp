@@ -26,8 +26,11 @@ ShownProblems shownProblems(const std::vector<CheckEntry> &entries, const Model 
             if (!isProblem(finding) || !(isChosen || &finding == lit))
                 continue;
             const bool isHatched = isChosen && finding.subject() != Subject::Stability;
+            std::vector<SectionRef> sections = outlinedSections(finding, model);
+            if (finding.severity < Severity::Error)
+                shown.doubtful.insert(shown.doubtful.end(), sections.begin(), sections.end());
             shown.*(isHatched ? &ShownProblems::hatched : &ShownProblems::outlined) =
-                outlinedSections(finding, model);
+                std::move(sections);
         }
     }
     return shown;

@@ -15,6 +15,7 @@ struct ShownProblems
     ProblemLook look;
     std::vector<SectionRef> hatched;  // red and hatched
     std::vector<SectionRef> outlined; // a red outline only
+    std::vector<SectionRef> doubtful; // those of them that are amber: it is a warning
 };
 
 /// Hatched are the sections of the chosen problem, but of one about standing its feet are outlined;

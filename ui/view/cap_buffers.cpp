@@ -72,7 +72,8 @@ void CapBuffers::update(const Scene &scene, const ClipPlane &plane, const ViewSt
         if (section.isHidden || section.isGhost || section.bent) // what is bent stays open
             continue;
         addCapOf(caps, section, plane);
-        const QColor &c = section.isProblem ? style.problemSide
+        const QColor &problem = section.isDoubtful ? style.warningSide : style.problemSide;
+        const QColor &c = section.isProblem ? problem
                           : section.isMade  ? style.madeSide
                                             : section.look.side;
         for (std::size_t i = vertices.size(); i < caps.triangles.size(); ++i)

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace fff::ui {
 
 namespace {
@@ -33,7 +35,9 @@ QString unitSign(LengthUnit unit)
 
 QString numberText(double value, int least, int most, const QLocale &locale)
 {
-    QString text = locale.toString(value, 'f', most);
+    // What is written as nothing has no sign.
+    const bool isNothing = std::abs(value) < 0.5 * std::pow(10.0, -most);
+    QString text = locale.toString(isNothing ? 0.0 : value, 'f', most);
     for (int digits = most; digits > least && text.endsWith(locale.zeroDigit()); --digits)
         text.chop(1);
     if (least == 0 && most > 0 && text.endsWith(locale.decimalPoint()))

@@ -192,17 +192,20 @@ void Drawing::invitation()
                                     "Draw a shape here with the left button held down."));
 }
 
-/// What a step of the history took away or would bring back.
+/// What a step of the history took away or would bring back; of a trial, thinner and paler than
+/// what comes in its place, as it was.
 void Drawing::ghosts()
 {
-    QPen dashed = roundPen(m_style.accent, 1.6);
+    const bool isOld = m_scene.areGhostsOld;
+    QPen dashed = roundPen(isOld ? m_style.muted : m_style.accent, isOld ? 1.2 : 1.6);
     dashed.setCapStyle(Qt::FlatCap);
     dashed.setDashPattern({5.0, 3.0});
     for (const SectionPointer &section : m_scene.ghosts) {
         QPainterPath shape = m_pen.path(section->shape->contour(), section->frame);
         for (const Contour &hole : section->shape->holes())
             shape.addPath(m_pen.path(hole, section->frame));
-        m_painter.fillPath(shape, faded(m_style.accent, 0.10));
+        if (!isOld)
+            m_painter.fillPath(shape, faded(m_style.accent, 0.10));
         m_painter.strokePath(shape, roundPen(faded(m_style.panel, 0.8), 3.6));
         m_painter.strokePath(shape, dashed);
     }

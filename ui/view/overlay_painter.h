@@ -38,6 +38,7 @@ struct OverlayScene
     int litMark = 0;                         // the one that is drawn larger
     ProblemLook problems = {};               // what is drawn of them besides
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
+    bool areGhostsOld = false;               // what is tried stands in their place
     const StepMarks *steps = nullptr;        // of the assembly, which is shown instead of the model
     SectionPointer edited = {};              // whose points are shown, as it is shown
     const OperationKind *operation = nullptr; // whose handles there are

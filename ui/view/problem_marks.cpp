@@ -109,7 +109,8 @@ void paintGround(MarkPen &pen, const GroundMark &mark, LengthUnit unit, const QL
     const Vec3 edge(mark.edge.x(), 0.0, mark.edge.y());
     if (!isBeforeEye(pen, mark.centreOfMass) || !isBeforeEye(pen, below))
         return;
-    const QColor &colour = mark.isProblem ? pen.style().problem : pen.style().guide;
+    const QColor &problem = mark.isWarning ? pen.style().warning : pen.style().problem;
+    const QColor &colour = mark.isProblem ? problem : pen.style().guide;
     QPainterPath support;
     for (const Vec2 &corner : mark.support) {
         const Vec3 world(corner.x(), 0.0, corner.y());

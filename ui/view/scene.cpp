@@ -18,7 +18,8 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
            isHidden == other.isHidden && isProblem == other.isProblem &&
-           isFaulty == other.isFaulty && isMade == other.isMade && fields == other.fields;
+           isFaulty == other.isFaulty && isDoubtful == other.isDoubtful && isMade == other.isMade &&
+           fields == other.fields;
 }
 
 std::span<const Triangulation> trianglesOf(const Shape &shape)
@@ -245,6 +246,7 @@ void applyView(Scene &scene, const Model &model, const ViewState &view)
         section.isGhost = view.isGhost(ref);
         section.isProblem = view.problems.count(ref) > 0;
         section.isFaulty = view.faulty.count(ref) > 0;
+        section.isDoubtful = view.doubtful.count(ref) > 0;
     }
     for (SceneThing &thing : scene.things) {
         const auto at = static_cast<std::size_t>(thing.section);

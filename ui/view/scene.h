@@ -41,8 +41,9 @@ struct SceneSection
     bool isMade = false;    // by the operation that is selected
     bool isGhost = false;   // stands back while another one is drawn or looked at
     bool isHidden = false;
-    bool isProblem = false; // red and hatched
-    bool isFaulty = false;  // outlined in red, without the hatch
+    bool isProblem = false;  // red and hatched
+    bool isFaulty = false;   // outlined in red, without the hatch
+    bool isDoubtful = false; // either of them in amber
 
     /// But for the outlines of what is selected and hovered.
     bool looksTheSame(const SceneSection &other) const;

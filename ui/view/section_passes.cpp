@@ -70,6 +70,8 @@ std::vector<std::size_t> SectionPasses::sectionsOf(Kind kind) const
 SlabLook SectionPasses::lookOf(std::size_t index, double alpha) const
 {
     const SceneSection &section = m_scene->sections[index];
+    if (section.isProblem && section.isDoubtful)
+        return {m_style->warningFace, m_style->warningSide, alpha, m_style->warningHatch};
     if (section.isProblem)
         return {m_style->problemFace, m_style->problemSide, alpha, m_style->problemHatch};
     if (section.isMade)
@@ -80,8 +82,9 @@ SlabLook SectionPasses::lookOf(std::size_t index, double alpha) const
 EdgeLook SectionPasses::edgesOf(std::size_t index, double alpha) const
 {
     const SceneSection &section = m_scene->sections[index];
-    const bool isRed = section.isProblem || section.isFaulty;
-    return {premultiplied(isRed ? m_style->problem : m_style->edge, alpha), m_style->edgeWidth,
+    const QColor &problem = section.isDoubtful ? m_style->warning : m_style->problem;
+    const bool isMarked = section.isProblem || section.isFaulty;
+    return {premultiplied(isMarked ? problem : m_style->edge, alpha), m_style->edgeWidth,
             section.isFaulty ? m_style->problemWidth : m_style->silhouetteWidth, 0.02};
 }
 

@@ -20,7 +20,6 @@ namespace fff::ui {
 namespace {
 
 constexpr int kMargin = 10, kGap = 6; // px
-constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the badges
 constexpr Subject kSubjects[] = {Subject::Stability, Subject::Connection, Subject::Assembly,
                                  Subject::Strength,  Subject::Joints,     Subject::Size};
 
@@ -120,10 +119,10 @@ void Badges::fold()
     std::vector<Badge *> unfolded;
     double width = kMargin;
     for (Badge *badge : m_badges) {
-        badge->setFolded(view.width() < kGlyphsOnly);
+        badge->setFolded(false);
         if (badge->isHidden())
             continue;
-        width += badge->widthWhen(view.width() < kGlyphsOnly) + kGap;
+        width += badge->widthWhen(false) + kGap;
         unfolded.insert(unfolded.begin(), badge);
     }
     std::stable_sort(unfolded.begin(), unfolded.end(),

@@ -232,6 +232,7 @@ void MainWindow::makeDocks()
     });
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
+    connect(m_checks, &ChecksDock::chosenChanged, m_properties, &PropertiesDock::setChosen);
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
 }
 
