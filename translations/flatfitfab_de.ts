@@ -562,10 +562,6 @@
         </translation>
     </message>
     <message>
-        <source>Move the slit in from the edge, or let one of them end before the other.</source>
-        <translation>Den Schlitz vom Rand weg rücken oder eine Scheibe vor der anderen enden lassen.</translation>
-    </message>
-    <message>
         <source>Make the section wider there, or move the slit.</source>
         <translation>Die Scheibe dort breiter machen oder den Schlitz versetzen.</translation>
     </message>
@@ -697,7 +693,7 @@
     <message>
         <source>Pulled open. The joint of %1 and %2 is pulled apart with %3 N.</source>
         <extracomment>%3 is a number of newtons</extracomment>
-        <translation>Aufgezogen. Die Verbindung von %1 und %2 wird mit %3 N auseinandergezogen.</translation>
+        <translation>Auseinandergezogen. Die Verbindung von %1 und %2 wird mit %3 N gezogen.</translation>
     </message>
     <message>
         <source>Pulled at. The joint of %1 and %2 is pulled with %3 N; the others hold without it.</source>
@@ -713,7 +709,7 @@
     </message>
     <message>
         <source>Pulled open</source>
-        <translation>Aufgezogen</translation>
+        <translation>Auseinandergezogen</translation>
     </message>
     <message>
         <source>Glue it.</source>
@@ -935,17 +931,6 @@
         <translation>Lässt sich zusammenbauen. Bisher nur ein Teil.</translation>
     </message>
     <message>
-        <source>Could be assembled if two sections did not overlap.</source>
-        <translation>Ließe sich zusammenbauen, wenn nicht zwei Scheiben am selben Ort wären.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Could be assembled if %n pairs of sections did not overlap.</source>
-        <translation>
-            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paar Scheiben am selben Ort wäre.</numerusform>
-            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paare von Scheiben am selben Ort wären.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Sections block each other. %1 comes only %2 out of its slit before it hits %3.</source>
         <translation>Scheiben sperren einander. %1 kommt nur %2 weit aus dem Schlitz, bis es an %3 stößt.</translation>
     </message>
@@ -994,7 +979,7 @@
     </message>
     <message>
         <source>With %1 a joint is pulled open.</source>
-        <translation>Ab %1 wird eine Verbindung aufgezogen.</translation>
+        <translation>Ab %1 wird eine Verbindung auseinandergezogen.</translation>
     </message>
     <message>
         <source>With %1 it no longer stands.</source>
@@ -1225,7 +1210,7 @@
     </message>
     <message>
         <source>if no joint were pulled open</source>
-        <translation>wenn keine Verbindung aufgezogen würde</translation>
+        <translation>wenn keine Verbindung auseinandergezogen würde</translation>
     </message>
     <message>
         <source>if nothing pushed it</source>
@@ -1247,6 +1232,46 @@
     <message>
         <source>Comes loose. Nothing keeps %1 in place: glue the joints, or add one more.</source>
         <translation>Löst sich. Nichts hält %1 an seinem Platz: Verbindungen verkleben oder eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>End one at the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End %1 at %2</source>
+        <extracomment>%1 and %2 are names of sections</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the slit in from the edge.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot be assembled yet. It could be if two sections did not overlap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cannot be assembled yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Falls at a touch: tables lean more. Tips past %1, margin %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Falls at a touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rather thin</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1921,7 +1946,7 @@
     </message>
     <message>
         <source>Snap</source>
-        <translation>Rasten</translation>
+        <translation>Einrasten</translation>
     </message>
     <message>
         <source>P&amp;en</source>
@@ -2157,7 +2182,7 @@
     </message>
     <message>
         <source>Undo</source>
-        <translation>Zurück</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -2165,7 +2190,7 @@
     </message>
     <message>
         <source>Redo</source>
-        <translation>Wieder</translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -3194,6 +3219,11 @@
         <source>Not joined yet</source>
         <extracomment>beside the cursor, while a contour does not reach its slit</extracomment>
         <translation>Noch nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Moved in by %1. B: put it back</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4699,10 +4729,6 @@
         <translation>Pfeiltasten bewegen das Gewicht von %1 auf %2 um 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern es, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt es.</translation>
     </message>
     <message>
-        <source>B: make corners right angles</source>
-        <translation>B: Ecken rechtwinklig machen</translation>
-    </message>
-    <message>
         <source>Drag to move the weight of %1 on %2; click to select it.</source>
         <translation>Ziehen verschiebt das Gewicht von %1 auf %2; ein Klick wählt es aus.</translation>
     </message>
@@ -5046,6 +5072,15 @@
         <source>Release to let %1 pull templates from %2. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <extracomment>%1 is the name of a section, %2 a length</extracomment>
         <translation>Loslassen: %1 zieht Vorlagen ab %2 an. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>B: square the corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stays where it was drawn: moved in, its slit would cut up %2. Draw across the edge, not along it.</source>
+        <extracomment>%1 and %2 are names of sections</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7150,7 +7185,7 @@
     </message>
     <message>
         <source>Joint %1–%2 is pulled open with %3 N: glue it, or flip its slits.</source>
-        <translation>Die Verbindung %1–%2 wird mit %3 N auseinandergezogen: kleben oder die Schlitze umdrehen.</translation>
+        <translation>Die Verbindung %1–%2 wird mit %3 N gezogen: kleben oder die Schlitze umdrehen.</translation>
     </message>
     <message>
         <source>How %1 bends could not be worked out; it is treated as rigid.</source>
@@ -8053,14 +8088,6 @@
         <translation>zur Seite offen, %1 tief</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Not mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one, %2 on the other. Symmetry is off, or Shift is held.</source>
-        <translation>&lt;b&gt;Nicht gespiegelt.&lt;/b&gt; Gezeichnet ist auf einer Seite der Achse: %1 auf der einen, %2 auf der anderen. Symmetrie ist aus oder Umschalt gedrückt.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one, %2 on the other. Cross it by %3 or more to draw both sides yourself.</source>
-        <translation>&lt;b&gt;Gespiegelt.&lt;/b&gt; Gezeichnet ist auf einer Seite der Achse: %1 auf der einen, %2 auf der anderen. Wer sie um %3 oder mehr überschreitet, zeichnet beide Seiten selbst.</translation>
-    </message>
-    <message>
         <source>New section</source>
         <translation>Neue Scheibe</translation>
     </message>
@@ -8083,6 +8110,14 @@
     <message>
         <source>tabs</source>
         <translation>Zapfen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one side, %2 on the other. Symmetry is off, or Shift is held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one side, %2 on the other. Cross it by %3 or more to draw both sides yourself.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8544,7 +8579,7 @@
     <message>
         <source>pulled open, %1&#x202f;N</source>
         <extracomment>%1 is a force in newtons</extracomment>
-        <translation>aufgezogen, %1&#x202f;N</translation>
+        <translation>auseinandergezogen, %1&#x202f;N</translation>
     </message>
 </context>
 <context>
@@ -9252,7 +9287,7 @@
     </message>
     <message>
         <source>Repeat</source>
-        <translation>Wiederholen</translation>
+        <translation>Vervielfachen</translation>
     </message>
     <message>
         <source>Repeat and blend sections</source>
@@ -9925,7 +9960,7 @@
     </message>
     <message>
         <source>A joint is pulled open; no stress is shown.</source>
-        <translation>Eine Verbindung wird aufgezogen; Spannungen werden nicht gezeigt.</translation>
+        <translation>Eine Verbindung wird auseinandergezogen; Spannungen werden nicht gezeigt.</translation>
     </message>
     <message>
         <source>Strength unknown: a stock is not rated. Set its strength under Stocks.</source>

@@ -106,13 +106,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Could be assembled if %n pairs of sections did not overlap.</source>
-        <translation>
-            <numerusform>Could be assembled if one pair of sections did not overlap.</numerusform>
-            <numerusform>Could be assembled if %n pairs of sections did not overlap.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n joints flipped.</source>
         <translation>
             <numerusform>1 joint flipped.</numerusform>
@@ -167,6 +160,13 @@
         <translation>
             <numerusform>%n ring of sections, in which every section has to go in before the others.</numerusform>
             <numerusform>%n rings of sections, in each of which every section has to go in before the others.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
