@@ -1,12 +1,16 @@
 #include "core/geometry/frame.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
 
 namespace fff {
 
 namespace {
 // Sine of the smallest angle between two axes that still names a plane; below it, rounding decides.
 constexpr double kMinAxesSine = 1e-6;
+/// A plane that rises by less (sine) counts as level.
+constexpr double kLevelSine = 0.02;
 } // namespace
 
 Vec3 Frame::normal() const
@@ -39,6 +43,17 @@ Result<Frame> makeFrame(const Vec3 &origin, const Vec3 &x, const Vec3 &y)
     frame.y = across.normalized();
     frame.y = (frame.y - frame.x.dot(frame.y) * frame.x).normalized();
     return frame;
+}
+
+bool isLevel(const Frame &frame)
+{
+    return frame.directionToLocal(Vec3::UnitY()).norm() <= kLevelSine;
+}
+
+double uprightTurn(const Frame &frame)
+{
+    const Vec2 up = frame.directionToLocal(Vec3::UnitY());
+    return isLevel(frame) ? 0.0 : std::atan2(up.y(), up.x()) - 0.5 * std::numbers::pi;
 }
 
 } // namespace fff

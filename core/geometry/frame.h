@@ -28,4 +28,9 @@ struct Frame
 /// finite.
 Result<Frame> makeFrame(const Vec3 &origin, const Vec3 &x, const Vec3 &y);
 
+/// Too level to tell which way is up in it.
+bool isLevel(const Frame &frame);
+/// Which way is up in the plane, as an angle from its y, radians; 0 for a level one.
+double uprightTurn(const Frame &frame);
+
 } // namespace fff

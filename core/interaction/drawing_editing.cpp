@@ -3,7 +3,6 @@
 #include "core/geometry/mapped_contour.h"
 #include "core/geometry/outlines.h"
 #include "core/interaction/drawing_words.h"
-#include "core/interaction/figure_editing.h"
 #include "core/interaction/section_editing.h"
 #include "core/model/edit_words.h"
 #include "core/model/edits.h"

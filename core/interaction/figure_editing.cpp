@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace fff {
 
@@ -82,12 +81,6 @@ double wayToTheRight(const Model &model, const Frame &plane, const Box2 &box)
 }
 
 } // namespace
-
-double uprightTurn(const Frame &frame)
-{
-    const Vec2 up = frame.directionToLocal(Vec3::UnitY());
-    return up.norm() <= kLevel ? 0.0 : std::atan2(up.y(), up.x()) - 0.5 * std::numbers::pi;
-}
 
 SectionEdit addedFigure(const Model &model, Figure figure, const FigurePlace &place,
                         const DrawingRules &rules)

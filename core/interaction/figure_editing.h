@@ -33,7 +33,4 @@ SectionEdit figureContour(const Model &model, const SectionRef &section, const F
 SectionEdit changedFigure(const Model &model, const SectionRef &section, int boundary,
                           const Figure &figure);
 
-/// Which way is up in the section's plane, as an angle from its x, radians; 0 for a level one.
-double uprightTurn(const Frame &frame);
-
 } // namespace fff

@@ -6,7 +6,6 @@
 #include "core/interaction/contour_words.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/facing.h"
-#include "core/interaction/figure_editing.h"
 #include "core/interaction/mark_editing.h"
 #include "core/interaction/mark_words.h"
 #include "core/interaction/section_editing.h"

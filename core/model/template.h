@@ -34,9 +34,13 @@ struct Magnet
     bool operator==(const Magnet &) const = default;
 };
 
-/// core/templates/template_mesh.h: what the bytes are.
+/// What the bytes are: core/templates/template_mesh.h, template_picture.h and template_curves.h.
 struct TemplateMesh;
+struct TemplatePicture;
+struct TemplateCurves;
 using TemplateMeshPointer = std::shared_ptr<const TemplateMesh>;
+using TemplatePicturePointer = std::shared_ptr<const TemplatePicture>;
+using TemplateCurvesPointer = std::shared_ptr<const TemplateCurves>;
 
 struct Template
 {
@@ -55,16 +59,24 @@ struct Template
     double opacity = kMeshOpacity; // 0 … 1
     bool isHidden = false, isLocked = false;
     std::vector<Magnet> magnets = {}; // of a mesh; ascending by section, each once
-    /// Of a mesh, read from its bytes; null where these are missing or make no sense. Follows from
-    /// them, so it is neither compared nor saved.
+    /// That of its kind is read from its bytes; null where these are missing or make no sense. It
+    /// follows from them, so it is neither compared nor saved.
     TemplateMeshPointer mesh = {};
+    TemplatePicturePointer picture = {};
+    TemplateCurvesPointer curves = {};
 
     /// What is cut of it is the same: all but how it is shown and called.
     bool hasFormOf(const Template &other) const
     {
-        return mesh == other.mesh && frame == other.frame && on == other.on &&
+        return hasContentOf(other) && frame == other.frame && on == other.on &&
                scale == other.scale && isFlipped == other.isFlipped && magnets == other.magnets;
     }
+    bool hasContentOf(const Template &other) const
+    {
+        return mesh == other.mesh && picture == other.picture && curves == other.curves;
+    }
+    /// Its bytes were read.
+    bool isRead() const { return mesh || picture || curves; }
     bool isFlat() const { return kind != TemplateKind::Mesh; }
     /// From the file's coordinates, about the middle of what is in it, to those of `frame`'s space.
     Similarity placement() const;

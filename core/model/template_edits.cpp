@@ -99,7 +99,7 @@ Result<Document> setTemplate(Document document, Template changed)
     if (Result<void> sound = checkedTemplate(document, changed, found->get()); !sound)
         return tl::unexpected(std::move(sound.error()));
     settleMagnets(changed);
-    if (**found != changed || (*found)->mesh != changed.mesh)
+    if (**found != changed || !(*found)->hasContentOf(changed))
         *found = std::make_shared<const Template>(std::move(changed));
     return document;
 }

@@ -1,7 +1,6 @@
 #include "core/session/mark_commands.h"
 
 #include "core/base/units.h"
-#include "core/interaction/figure_editing.h"
 #include "core/interaction/mark_editing.h"
 #include "core/interaction/mark_tool.h"
 #include "core/model/origin.h"

@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     templates/cut_chains.cpp
     templates/cut_plane.cpp
     templates/cut_segments.cpp
+    templates/flat_template.cpp
     templates/guide_curve.cpp
     templates/loop_nesting.cpp
     templates/magnetic_cut.cpp
@@ -16,8 +17,10 @@ target_sources(fff_core PRIVATE
     templates/plane_cut.cpp
     templates/pulled_templates.cpp
     templates/simplified_mesh.cpp
+    templates/template_curves.cpp
     templates/template_cut.cpp
     templates/template_mesh.cpp
+    templates/template_picture.cpp
     templates/thinned_mesh.cpp
     templates/traced_picture.cpp
     templates/triangle_mesh.cpp

@@ -1,4 +1,5 @@
 fff_tests(tests_templates LIBRARIES fff::core CGAL::CGAL TESTS
+    core/templates/tst_flat_template
     core/templates/tst_guide_curve
     core/templates/tst_magnetic_cut
     core/templates/tst_mended_mesh
