@@ -3977,14 +3977,6 @@
         <translation>seine Bytes sind beschädigt</translation>
     </message>
     <message>
-        <source>the mesh of %1 could not be read; its place was kept</source>
-        <translation>das Netz von %1 ließ sich nicht lesen; sein Platz blieb</translation>
-    </message>
-    <message>
-        <source>a mesh could not be read; its place was kept</source>
-        <translation>ein Netz ließ sich nicht lesen; sein Platz blieb</translation>
-    </message>
-    <message>
         <source>mesh, picture or curves</source>
         <translation>mesh, picture oder curves</translation>
     </message>
@@ -4180,13 +4172,6 @@
         <source>an object that does not contain itself</source>
         <translation>ein Objekt, das sich nicht selbst enthält</translation>
     </message>
-    <message numerus="yes">
-        <source>%n meshes could not be read; their places were kept.</source>
-        <translation>
-            <numerusform>%n Netz ließ sich nicht lesen; sein Platz blieb.</numerusform>
-            <numerusform>%n Netze ließen sich nicht lesen; ihre Plätze blieben.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>a mesh with at least one triangle</source>
         <translation>ein Netz mit mindestens einem Dreieck</translation>
@@ -4198,6 +4183,53 @@
     <message>
         <source>a mesh of which two faces meet at an edge</source>
         <translation>ein Netz, in dem sich an einer Kante zwei Flächen treffen</translation>
+    </message>
+    <message>
+        <source>a mesh: this is flat</source>
+        <translation>ein Netz: dies ist flach</translation>
+    </message>
+    <message>
+        <source>what %1 shows could not be read; its place was kept</source>
+        <translation>was %1 zeigt, ließ sich nicht lesen; sein Platz blieb</translation>
+    </message>
+    <message>
+        <source>a template could not be read; its place was kept</source>
+        <translation>eine Vorlage ließ sich nicht lesen; ihr Platz blieb</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>das Bild ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the rest of the picture</source>
+        <translation>der Rest des Bildes</translation>
+    </message>
+    <message>
+        <source>the picture is damaged here</source>
+        <translation>das Bild ist hier beschädigt</translation>
+    </message>
+    <message>
+        <source>a picture as PNG, JPEG or WebP</source>
+        <translation>ein Bild als PNG, JPEG oder WebP</translation>
+    </message>
+    <message>
+        <source>a picture with at least one pixel</source>
+        <translation>ein Bild mit mindestens einem Pixel</translation>
+    </message>
+    <message>
+        <source>a picture or a drawing</source>
+        <translation>ein Bild oder eine Zeichnung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n templates could not be read; their places were kept.</source>
+        <translation>
+            <numerusform>%n Vorlage ließ sich nicht lesen; ihr Platz blieb.</numerusform>
+            <numerusform>%n Vorlagen ließen sich nicht lesen; ihre Plätze blieben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6783,6 +6815,30 @@
     </message>
 </context>
 <context>
+    <name>Template</name>
+    <message>
+        <source>It moves; only its first picture is shown.</source>
+        <extracomment>of a picture</extracomment>
+        <translation>Es bewegt sich; nur sein erstes Bild wird gezeigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts were left out.</source>
+        <extracomment>of a drawing</extracomment>
+        <translation>
+            <numerusform>%n Text wurde ausgelassen.</numerusform>
+            <numerusform>%n Texte wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were left out.</source>
+        <extracomment>of a drawing</extracomment>
+        <translation>
+            <numerusform>%n Bild wurde ausgelassen.</numerusform>
+            <numerusform>%n Bilder wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::SectionNames</name>
     <message>
         <source>%1 and %2</source>
@@ -7320,14 +7376,6 @@
         <translation>Eine andere Zahl ergibt andere Scheiben (1).</translation>
     </message>
     <message>
-        <source>Puts a mesh beside the model, its largest extent of this size in mm; may be given several times.</source>
-        <translation>Stellt ein Netz neben das Modell, auf Wunsch mit dieser größten Ausdehnung in mm; mehrmals möglich.</translation>
-    </message>
-    <message>
-        <source>--template: found &quot;%1&quot;, expected a mesh, or a mesh and its size in mm, such as ball.stl@80.</source>
-        <translation>--template: gefunden: „%1“, erwartet: ein Netz oder ein Netz und seine Größe in mm, etwa ball.stl@80.</translation>
-    </message>
-    <message>
         <source>The .fff file to write; - is standard output.</source>
         <translation>Die .fff-Datei, die geschrieben wird; - ist die Standardausgabe.</translation>
     </message>
@@ -7399,6 +7447,14 @@
     <message>
         <source>%1: no plane cuts a section of it that is large enough.</source>
         <translation>%1: keine Ebene schneidet davon eine Scheibe, die groß genug ist.</translation>
+    </message>
+    <message>
+        <source>Puts a mesh, a picture or a drawing (SVG) beside the model, its largest extent of this size in mm; may be given several times.</source>
+        <translation>Stellt ein Netz, ein Bild oder eine Zeichnung (SVG) neben das Modell, auf Wunsch mit dieser größten Ausdehnung in mm; mehrmals möglich.</translation>
+    </message>
+    <message>
+        <source>--template: found &quot;%1&quot;, expected a file, or a file and its size in mm, such as ball.stl@80.</source>
+        <translation>--template: gefunden: „%1“, erwartet: eine Datei oder eine Datei und ihre Größe in mm, etwa ball.stl@80.</translation>
     </message>
 </context>
 <context>

@@ -239,10 +239,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n meshes could not be read; their places were kept.</source>
+        <source>%n templates could not be read; their places were kept.</source>
         <translation>
-            <numerusform>1 mesh could not be read; its place was kept.</numerusform>
-            <numerusform>%n meshes could not be read; their places were kept.</numerusform>
+            <numerusform>1 template could not be read; its place was kept.</numerusform>
+            <numerusform>%n templates could not be read; their places were kept.</numerusform>
         </translation>
     </message>
 </context>
@@ -598,6 +598,25 @@
         <translation>
             <numerusform>%n section of %1 is the fewest that was found to stand.</numerusform>
             <numerusform>%n sections of %1 are the fewest that were found to stand.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Template</name>
+    <message numerus="yes">
+        <source>%n texts were left out.</source>
+        <extracomment>of a drawing</extracomment>
+        <translation>
+            <numerusform>1 text was left out.</numerusform>
+            <numerusform>%n texts were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures were left out.</source>
+        <extracomment>of a drawing</extracomment>
+        <translation>
+            <numerusform>1 picture was left out.</numerusform>
+            <numerusform>%n pictures were left out.</numerusform>
         </translation>
     </message>
 </context>

@@ -35,7 +35,7 @@ constexpr std::array kVerbs = {
     Verb{"export", "FILE -o OUT.{%1} [options]", nullptr, runExport},
 #ifdef FFF_HAS_VIEW
     Verb{"render",
-         "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [--template MESH[@SIZE]] "
+         "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [--template TEMPLATE[@SIZE]] "
          "[options]",
          QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
     Verb{"steps", "FILE -o OUT.{pdf,png} [--paper SIZE] [--size WxH] [--view VIEW] [options]",
@@ -57,7 +57,7 @@ constexpr std::array kVerbs = {
     Verb{"facets", "MESH -o OUT.fff [--faces N] [--size MM] [--stock NAME] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A model of flat sheets with fingers along their edges"),
          runFacets},
-    Verb{"replay", "SCRIPT.json [--from FILE] [--template MESH[@SIZE]] -o OUT.{%1} [options]",
+    Verb{"replay", "SCRIPT.json [--from FILE] [--template TEMPLATE[@SIZE]] -o OUT.{%1} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Plays a script of what a person does in the window"),
          runReplay, true},
 };

@@ -41,15 +41,15 @@ std::optional<NamedMesh> namedMesh(const QString &text)
     return NamedMesh{text.left(at), size};
 }
 
-/// Puts it into the document, and says what was wrong with it.
-Result<void> addMesh(Document &document, const NamedMesh &mesh)
+/// Puts it into the document, and says what was wrong with it, or is not shown.
+Result<void> addTemplateFile(Document &document, const NamedMesh &mesh)
 {
     io::TemplateFileOptions options;
     options.size = mesh.size;
     const Result<io::LoadedTemplate> loaded = io::readTemplateFile(mesh.file, options);
     if (!loaded)
         return tl::unexpected(loaded.error());
-    for (const Message &message : loaded->made.mesh->report.messages())
+    for (const Message &message : loaded->messages)
         printError(tr("%1: %2").arg(QFileInfo(mesh.file).fileName(), messageText(message)));
     Result<Document> next = loaded->addedTo(std::move(document));
     if (!next)
@@ -78,9 +78,9 @@ QString whyNoModelFile(const QCommandLineParser &parser)
 void addTemplateOption(QCommandLineParser &parser)
 {
     parser.addOption({QStringLiteral("template"),
-                      tr("Puts a mesh beside the model, its largest extent of this size in mm; may "
-                         "be given several times."),
-                      QStringLiteral("MESH[@SIZE]")});
+                      tr("Puts a mesh, a picture or a drawing (SVG) beside the model, its largest "
+                         "extent of this size in mm; may be given several times."),
+                      QStringLiteral("TEMPLATE[@SIZE]")});
 }
 
 std::optional<int> addTemplates(Document &document, const QCommandLineParser &parser,
@@ -89,10 +89,10 @@ std::optional<int> addTemplates(Document &document, const QCommandLineParser &pa
     for (const QString &text : parser.values(QStringLiteral("template"))) {
         const std::optional<NamedMesh> mesh = namedMesh(text);
         if (!mesh)
-            return wrongUse(verb, tr("--template: found \"%1\", expected a mesh, or a mesh and its "
+            return wrongUse(verb, tr("--template: found \"%1\", expected a file, or a file and its "
                                      "size in mm, such as ball.stl@80.")
                                       .arg(text));
-        if (const Result<void> added = addMesh(document, *mesh); !added)
+        if (const Result<void> added = addTemplateFile(document, *mesh); !added)
             return report(added.error());
     }
     return std::nullopt;
@@ -126,8 +126,13 @@ MeshModel readMeshModel(const QString &file, const QCommandLineParser &parser, c
     model.status = applyOptions(model.document, *options, verb);
     if (model.status)
         return model;
-    if (const Result<void> added = addMesh(model.document, {file, size.value_or(0.0)}); !added)
+    const Result<void> added = addTemplateFile(model.document, {file, size.value_or(0.0)});
+    if (!added)
         model.status = report(added.error());
+    else if (model.document.templates.front()->kind != TemplateKind::Mesh)
+        model.status = report(Error{ErrorCode::BadSyntax,
+                                    QFileInfo(file).fileName().toStdString(),
+                                    {"", QT_TRANSLATE_NOOP("Error", "a mesh: this is flat")}});
     return model;
 }
 

@@ -5,7 +5,7 @@
 
 namespace fff::cli {
 
-/// --template MESH[@SIZE], which may be given several times.
+/// --template TEMPLATE[@SIZE], which may be given several times.
 void addTemplateOption(QCommandLineParser &parser);
 /// Reads these meshes and puts them beside the model, as the window would. The status to return
 /// after the reason was printed, where one cannot be read or its size is none.

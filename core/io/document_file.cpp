@@ -161,7 +161,7 @@ Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &opti
     if (loaded) {
         loaded->format = *format;
         loaded->document =
-            withTemplateMeshes(std::move(loaded->document), loaded->warnings, options.work);
+            withTemplateContents(std::move(loaded->document), loaded->warnings, options.work);
     }
     return loaded;
 }

@@ -259,8 +259,8 @@ QString warningSentence(const Warning &warning)
                    : ErrorTexts::tr("%1 was left out: %2").arg(verbatim(args, 0), phrase(args, 1));
     case WarningCode::MissingTemplate:
         return ofSection(args,
-                         ErrorTexts::tr("the mesh of %1 could not be read; its place was kept"),
-                         ErrorTexts::tr("a mesh could not be read; its place was kept"));
+                         ErrorTexts::tr("what %1 shows could not be read; its place was kept"),
+                         ErrorTexts::tr("a template could not be read; its place was kept"));
     }
     return {}; // not reached: every code is above
 }

@@ -34,6 +34,8 @@ target_sources(fff_io PRIVATE
     obj_writer.cpp
     off_reader.cpp
     replacement.cpp
+    picture_file.cpp
+    picture_header.cpp
     pipes.cpp
     placed_meshes.cpp
     ply_header.cpp

@@ -44,7 +44,7 @@ QString sentenceOfMany(WarningCode code, int count)
         return SummaryTexts::tr("%n pictures or meshes could not be read and were left out.",
                                 nullptr, count);
     case WarningCode::MissingTemplate:
-        return SummaryTexts::tr("%n meshes could not be read; their places were kept.", nullptr,
+        return SummaryTexts::tr("%n templates could not be read; their places were kept.", nullptr,
                                 count);
     }
     return {}; // not reached: every code is above

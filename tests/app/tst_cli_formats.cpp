@@ -49,7 +49,7 @@ void TestCliFormats::whatHelpSays()
     QCOMPARE(cli::purposeOf(verb), QStringLiteral("Cutting files, true to size; the solids in "
                                                   "place; or the model itself"));
     QCOMPARE(cli::usageOf(cli::verbNamed("replay")),
-             QStringLiteral("replay SCRIPT.json [--from FILE] [--template MESH[@SIZE]] -o "
+             QStringLiteral("replay SCRIPT.json [--from FILE] [--template TEMPLATE[@SIZE]] -o "
                             "OUT.{fff,svg,obj} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
     const VerbRun help = run({u"export"_s, u"--help"_s});

@@ -23,10 +23,10 @@ struct MeshTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::MeshImport)
 };
 
-QString remarksOf(const MeshReport &report)
+QString remarksOf(const std::vector<Message> &messages)
 {
     QStringList lines;
-    for (const Message &message : report.messages())
+    for (const Message &message : messages)
         lines += messageText(message);
     return lines.join(QLatin1Char(' '));
 }
@@ -62,14 +62,15 @@ MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
     }
     if (!*loaded)
         return {false, io::errorText(loaded->error()), {}, {}};
-    const MeshReport report = (*loaded)->made.mesh->report;
     auto added = addedTemplate(bench.session().committed().document, **loaded);
     if (!added)
         return {false, io::errorText(added.error()), {}, {}};
     bench.editSections(*std::move(added));
     const Template &made = (*loaded)->made;
+    MeshImported imported{true, {}, remarksOf((*loaded)->messages), {}};
+    if (!made.mesh)
+        return imported;
     const QString size = lengthText(made.scale * made.mesh->mesh->size(), 1, 1, QLocale());
-    MeshImported imported{true, {}, remarksOf(report), {}};
     if (made.mesh->mesh->unit() && made.scale != 1.0)
         //: %1 is the name of a file, %2 a length
         imported.sized = MeshTexts::tr("%1 is too large for a model, so it was made %2 large. "

@@ -1,4 +1,4 @@
-fff_tests(tests_io LIBRARIES fff::io OpenMeshCore TESTS
+fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_broken_meshes
     core/io/tst_document_file
     core/io/tst_error_text
@@ -14,6 +14,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore TESTS
     core/io/tst_obj_writer
     core/io/tst_svg_reader
     core/io/tst_svg_writer
+    core/io/tst_template_files
     core/io/tst_warning_summary
     ALONE
         core/io/tst_flatfab_models)
