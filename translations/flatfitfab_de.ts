@@ -3061,6 +3061,8 @@
     <message>
         <source>There is no mesh that could be pulled</source>
         <translation>Kein Netz da, das sich anziehen ließe</translation>
+        <source>There is no picture and no drawing: add one first</source>
+        <translation>Es gibt kein Bild und keine Zeichnung: füge zuerst eines hinzu</translation>
     </message>
 </context>
 <context>
@@ -5113,6 +5115,22 @@
         <source>%1 stays where it was drawn: moved in, its slit would cut up %2. Draw across the edge, not along it.</source>
         <extracomment>%1 and %2 are names of sections</extracomment>
         <translation type="unfinished"></translation>
+        <source>%2 lies aslant to %1: lay it on the plane of %1 first.</source>
+        <extracomment>%1 is a section, %2 the name of a template</extracomment>
+        <translation>%2 liegt schräg zu %1: lege es zuerst auf die Ebene von %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %n outlines, which is too many: trace it coarser, or smooth it first.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>%1 hat %n Umriss, das ist zu viel: zeichne es gröber nach oder glätte es zuerst.</numerusform>
+            <numerusform>%1 hat %n Umrisse, das sind zu viele: zeichne es gröber nach oder glätte es zuerst.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing traced: no part of %1 is on that side of the threshold.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Nichts nachgezeichnet: kein Teil von %1 liegt auf dieser Seite der Schwelle.</translation>
     </message>
 </context>
 <context>
@@ -6768,6 +6786,14 @@
             <numerusform>Vorlagen von %n Scheibe lösen</numerusform>
             <numerusform>Vorlagen von %n Scheiben lösen</numerusform>
         </translation>
+        <source>Trace %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>%1 nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Align %1 and %2</source>
+        <extracomment>%1 and %2 are the names of templates</extracomment>
+        <translation>%1 und %2 ausrichten</translation>
     </message>
 </context>
 <context>

@@ -297,6 +297,14 @@
             <numerusform>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 has %n outlines, which is too many: trace it coarser, or smooth it first.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>
+            <numerusform>%1 has 1 outline, which is too many: trace it coarser, or smooth it first.</numerusform>
+            <numerusform>%1 has %n outlines, which is too many: trace it coarser, or smooth it first.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Mesh</name>

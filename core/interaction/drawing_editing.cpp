@@ -1,9 +1,11 @@
 #include "core/interaction/drawing_editing.h"
 
+#include "core/base/tolerances.h"
 #include "core/geometry/mapped_contour.h"
 #include "core/geometry/outlines.h"
 #include "core/interaction/drawing_words.h"
 #include "core/interaction/section_editing.h"
+#include "core/interaction/template_guides.h"
 #include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/marks.h"
@@ -17,8 +19,6 @@ namespace fff {
 
 namespace {
 
-//: %1 is the name of a file
-constexpr Text kImportDrawing = FFF_TEXT("Step", "Import %1");
 /// Of what is set down on the ground, mm.
 constexpr double kFineChord = 1e-3;
 
@@ -31,7 +31,7 @@ Box2 boundsOf(const std::vector<CurvePath> &lines)
     return box;
 }
 
-/// From the drawing to a plane: upright there, its middle at `to`.
+/// From the drawing to a plane.
 struct Placing
 {
     Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
@@ -55,8 +55,23 @@ struct Placing
     }
 };
 
+bool isAslant(const Section &section, const Similarity &place)
+{
+    const Vec3 normal = place.turn.col(0).cross(place.turn.col(1));
+    return normal.cross(section.frame.normal()).norm() > kPracticallyParallel;
+}
+
+/// Where it lies; else upright, its middle at that of the section.
 Placing placedOn(const Section &section, const Drawing &drawing)
 {
+    if (drawing.place) {
+        Placing placing;
+        for (int i = 0; i < 2; ++i)
+            placing.turn.col(i) =
+                section.frame.directionToLocal(drawing.place->scale * drawing.place->turn.col(i));
+        placing.to = section.frame.toLocal(drawing.place->shift);
+        return placing;
+    }
     return {Eigen::Rotation2Dd(uprightTurn(section.frame)).toRotationMatrix(),
             boundsOf(drawing.lines).center(), section.shape->bounds().center()};
 }
@@ -64,6 +79,13 @@ Placing placedOn(const Section &section, const Drawing &drawing)
 Hint leftOut(const Drawing &drawing, int outlines)
 {
     return Message{hints::kDrawingLeft, {Named{drawing.name}}, outlines};
+}
+
+tl::unexpected<Hint> tooMany(const Drawing &drawing, std::size_t outlines)
+{
+    Hint hint = Hint::refusal(hints::kTooManyOutlines, {Named{drawing.name}});
+    hint.words.count = static_cast<int>(outlines);
+    return tl::unexpected(std::move(hint));
 }
 
 /// At least one.
@@ -86,6 +108,8 @@ SectionEdit onSection(const Model &model, const SectionRef &ref, const Drawing &
     if (!drawn)
         return tl::unexpected(drawn.error());
     const Section &section = **drawn;
+    if (drawing.place && isAslant(section, *drawing.place))
+        return refused(hints::kDrawingAslant, {Named{section.name}, Named{drawing.name}});
     return change(section, placedOn(section, drawing));
 }
 
@@ -103,7 +127,7 @@ SectionEdit withShape(const Model &model, const Section &section, const Contour 
     Result<Document> next = setShape(model.document, section.id, *shape);
     if (!next)
         return refused(hints::kEditFailed);
-    EditedSections edit{*std::move(next), {kImportDrawing, {Named{drawing.name}}}};
+    EditedSections edit{*std::move(next), {drawing.step, {Named{drawing.name}}}};
     const auto left = std::count_if(warnings.begin(), warnings.end(), [](const Warning &w) {
         return w.code == WarningCode::HoleOutside || w.code == WarningCode::DegenerateHole;
     });
@@ -143,10 +167,57 @@ SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Na
     Result<Document> next = addSections(model.document, std::move(sections));
     if (!next)
         return refused(hints::kEditFailed);
-    EditedSections edit{*std::move(next), {kImportDrawing, {Named{drawing.name}}}};
+    EditedSections edit{*std::move(next), {drawing.step, {Named{drawing.name}}}};
     edit.select.emplace();
     for (std::size_t i = model.document.sections.size(); i < edit.document.sections.size(); ++i)
         edit.select->push_back(edit.document.sections[i]->id);
+    if (left > 0)
+        edit.note = leftOut(drawing, left);
+    return edit;
+}
+
+SectionEdit placedSections(const Model &model, const Drawing &drawing, const DrawingRules &rules)
+{
+    const auto outlines = outlinesIn(drawing);
+    if (!outlines)
+        return tl::unexpected(outlines.error());
+    if (outlines->size() > kMostPlacedSections)
+        return tooMany(drawing, outlines->size());
+    // The plane as it is looked at from the front, even if the lines are flipped in it.
+    const Similarity &place = *drawing.place;
+    Frame canvas{place.shift, place.turn.col(0), place.turn.col(1)};
+    if (place.turn.determinant() < 0.0)
+        canvas.x = -canvas.x;
+    Placing placing;
+    for (int i = 0; i < 2; ++i)
+        placing.turn.col(i) = canvas.directionToLocal(place.scale * place.turn.col(i));
+    const ContourTarget target = ContourTarget::newSection(canvas);
+    EditedSections edit{model.document, {drawing.step, {Named{drawing.name}}}};
+    edit.select.emplace();
+    int left = 0;
+    std::optional<Hint> why;
+    for (const Outline &outline : *outlines) {
+        const Result<Contour> outer = placing(outline.outer);
+        TemplateGuides::Whole whole;
+        for (const Contour &hole : outline.holes)
+            if (Result<Contour> placed = placing(hole))
+                whole.holes.push_back(*std::move(placed));
+        if (!outer)
+            return refused(hints::kEditFailed);
+        whole.contour = outer->signedArea() < 0.0 ? outer->reversed() : *outer;
+        auto drawn = drawWhole(edit.document, target, whole, rules);
+        if (!drawn) {
+            why = drawn.error();
+            ++left;
+            continue;
+        }
+        edit.document = std::move(drawn->document);
+        edit.select->push_back(drawn->section);
+        if (drawn->note)
+            edit.note = std::move(drawn->note);
+    }
+    if (edit.select->empty())
+        return tl::unexpected(*why);
     if (left > 0)
         edit.note = leftOut(drawing, left);
     return edit;
@@ -160,7 +231,8 @@ SectionEdit drawingContour(const Model &model, const SectionRef &ref, const Draw
                          if (!outlines)
                              return tl::unexpected(outlines.error());
                          const Outline &outline = outlines->front();
-                         placing.from = boundsOf({CurvePath::around(outline.outer)}).center();
+                         if (!drawing.place)
+                             placing.from = boundsOf({CurvePath::around(outline.outer)}).center();
                          const Result<Contour> contour = placing(outline.outer);
                          std::vector<Contour> holes;
                          for (const Contour &hole : outline.holes)
@@ -183,6 +255,8 @@ SectionEdit drawingHoles(const Model &model, const SectionRef &ref, const Drawin
                          const auto outlines = outlinesIn(drawing);
                          if (!outlines)
                              return tl::unexpected(outlines.error());
+                         if (outlines->size() > kMostPlacedHoles)
+                             return tooMany(drawing, outlines->size());
                          std::vector<Contour> holes = section.shape->holes();
                          // What lies in a hole is gone with it.
                          for (const Outline &outline : *outlines) {
@@ -211,7 +285,7 @@ SectionEdit drawingMark(const Model &model, const SectionRef &ref, const Drawing
                 addMark(model.document, section.id, std::make_shared<const Mark>(std::move(mark)));
             if (!next)
                 return refused(hints::kEditFailed);
-            return EditedSections{*std::move(next), {kImportDrawing, {Named{drawing.name}}}};
+            return EditedSections{*std::move(next), {drawing.step, {Named{drawing.name}}}};
         });
 }
 

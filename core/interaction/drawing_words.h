@@ -18,4 +18,23 @@ inline constexpr Text kSkippedTexts = FFF_TEXT_OF_MANY("Hint", "%n texts");
 inline constexpr Text kSkippedPictures = FFF_TEXT_OF_MANY("Hint", "%n pictures");
 inline constexpr Text kLinesRead = FFF_TEXT_OF_MANY("Hint", "%n lines were read");
 
+//: %1 is a section, %2 the name of a template
+inline constexpr Text kDrawingAslant =
+    FFF_TEXT("Hint", "%2 lies aslant to %1: lay it on the plane of %1 first.");
+//: %1 is the name of a template
+inline constexpr Text kTooManyOutlines = FFF_TEXT_OF_MANY(
+    "Hint", "%1 has %n outlines, which is too many: trace it coarser, or smooth it first.");
+//: %1 is the name of a template
+inline constexpr Text kNothingTraced =
+    FFF_TEXT("Hint", "Nothing traced: no part of %1 is on that side of the threshold.");
+
 } // namespace fff::hints
+
+namespace fff::steps {
+
+//: %1 is the name of a file
+inline constexpr Text kImportDrawing = FFF_TEXT("Step", "Import %1");
+//: %1 is the name of a template
+inline constexpr Text kTraceTemplate = FFF_TEXT("Step", "Trace %1");
+
+} // namespace fff::steps

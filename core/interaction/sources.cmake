@@ -68,6 +68,7 @@ target_sources(fff_core PRIVATE
     interaction/stroke_gesture_guides.cpp
     interaction/stroke_gesture_shown.cpp
     interaction/symmetry_editing.cpp
+    interaction/template_drawing.cpp
     interaction/template_guides.cpp
     interaction/transform_tool.cpp
     interaction/turning_drag.cpp

@@ -7,6 +7,7 @@
 #include "core/session/copy_commands.h"
 #include "core/session/drawing_commands.h"
 #include "core/session/figure_commands.h"
+#include "core/session/flat_template_commands.h"
 #include "core/session/joint_commands.h"
 #include "core/session/load_commands.h"
 #include "core/session/magnet_commands.h"
@@ -125,6 +126,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerLoadCommands(registry, session, interaction);
     registerBearingCommands(registry, session, interaction);
     registerTemplateCommands(registry, session, interaction);
+    registerFlatTemplateCommands(registry, session, interaction);
     registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);

@@ -8,6 +8,7 @@ target_sources(fff_session PRIVATE
     drawing_commands.cpp
     figure_commands.cpp
     joint_commands.cpp
+    flat_template_commands.cpp
     journal.cpp
     kept_models.cpp
     magnet_commands.cpp
@@ -37,6 +38,7 @@ target_sources(fff_session PRIVATE
     slot_lock.cpp
     template_commands.cpp
     template_making.cpp
+    template_parameters.cpp
     tool_commands.cpp
     unreadable_work.cpp
     view_commands.cpp

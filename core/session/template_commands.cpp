@@ -1,12 +1,15 @@
 #include "core/session/template_commands.h"
 
 #include "core/analysis/facetted.h"
+#include "core/base/units.h"
 #include "core/io/template_file.h"
 #include "core/model/template_edits.h"
 #include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 #include "core/session/template_making.h"
+#include "core/session/template_parameters.h"
 #include "core/session/template_words.h"
+#include "core/templates/flat_template.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,29 +20,6 @@ namespace {
 
 constexpr double kPercent = 100.0;
 constexpr int kMostSeed = 999'999'999;
-
-Result<bool> truthOf(const CommandParameters &parameters, const char *key, bool otherwise)
-{
-    const std::string *text = textOf(parameters, key);
-    if (!text)
-        return otherwise;
-    if (*text != "true" && *text != "false")
-        return failure(ErrorCode::BadValue, key, {*text, "true or false"});
-    return *text == "true";
-}
-
-Result<int> wholeOf(const CommandParameters &parameters, const char *key, int otherwise, int least,
-                    int most)
-{
-    const Result<double> number = numberOf(parameters, key, otherwise);
-    if (!number)
-        return tl::unexpected(number.error());
-    if (!(*number >= least && *number <= most) || *number != std::floor(*number))
-        return failure(ErrorCode::BadValue, key,
-                       {*textOf(parameters, key), "a whole number from " + std::to_string(least) +
-                                                      " to " + std::to_string(most)});
-    return static_cast<int>(*number);
-}
 
 class TemplateCommands
 {
@@ -87,13 +67,16 @@ public:
         Result<Template> one = templateOf(parameters);
         if (!one)
             return tl::unexpected(one.error());
-        double size = one->mesh ? one->scale * one->mesh->mesh->size() : 0.0;
+        double size = one->mesh ? one->scale * one->mesh->mesh->size() : flatSize(*one).maxCoeff();
+        const std::optional<Frame> lies = worldFrame(*one, m_session.committed());
+        const double turnBefore = one->isFlat() && lies ? degrees(turnOf(*lies)) : 0.0;
+        double turn = turnBefore;
         double opacity = kPercent * one->opacity;
         const double sizeBefore = size;
         Vec3 &at = one->frame.origin;
         for (const auto &[key, number] :
              {std::pair("x", &at.x()), std::pair("y", &at.y()), std::pair("z", &at.z()),
-              std::pair("size", &size), std::pair("opacity", &opacity)}) {
+              std::pair("size", &size), std::pair("opacity", &opacity), std::pair("turn", &turn)}) {
             const Result<double> value = numberOf(parameters, key, *number);
             if (!value)
                 return tl::unexpected(value.error());
@@ -101,10 +84,16 @@ public:
         }
         if (size != sizeBefore && sizeBefore > 0.0)
             one->scale *= size / sizeBefore;
+        if (turn != turnBefore && !(one->isFlat() && lies))
+            return failure(ErrorCode::BadValue, "turn",
+                           {*textOf(parameters, "turn"), "nothing: this does not lie flat"});
+        if (turn != turnBefore)
+            *one = turned(*one, radians(turn - turnBefore));
         if (opacity != kPercent * one->opacity)
             one->opacity = opacity / kPercent;
         for (const auto &[key, flag] :
-             {std::pair("hidden", &one->isHidden), std::pair("locked", &one->isLocked)}) {
+             {std::pair("hidden", &one->isHidden), std::pair("locked", &one->isLocked),
+              std::pair("flipped", &one->isFlipped)}) {
             const Result<bool> truth = truthOf(parameters, key, *flag);
             if (!truth)
                 return tl::unexpected(truth.error());
@@ -130,8 +119,11 @@ public:
 
     Result<void> toGround(const CommandParameters &parameters, double time) const
     {
+        const Result<Template> one = templateOf(parameters);
+        if (one && one->isFlat())
+            return commit(flatOnGround(*one), steps::kMoveTemplate, time);
         return changeMesh(parameters, time,
-                          [](const Template &one) { return onGround(one, *one.mesh); });
+                          [](const Template &mesh) { return onGround(mesh, *mesh.mesh); });
     }
 
     /// About where it stands.
@@ -208,16 +200,7 @@ private:
 
     Result<Template> templateOf(const CommandParameters &parameters) const
     {
-        const std::vector<TemplatePointer> &all = m_session.committed().document.templates;
-        const std::string *name = textOf(parameters, "template");
-        const auto found =
-            name ? std::find_if(all.begin(), all.end(),
-                                [name](const TemplatePointer &one) { return one->name == *name; })
-                 : all.end() - (all.empty() ? 0 : 1);
-        if (found == all.end())
-            return failure(ErrorCode::BadValue, "template",
-                           {name ? *name : "nothing", "the name of a template"});
-        return **found;
+        return fff::templateOf(m_session.committed().document, parameters);
     }
 
     Session &m_session;

@@ -13,7 +13,8 @@ namespace fff {
 /// add takes "file", and may be told "size" (mm, of the largest extent), "up" ("y" or "z") and
 /// "reference" ("true": its bytes stay where they are). The others take "template" (its name;
 /// without it the last one). set: "name", "x", "y" and "z" (mm, of its middle), "size", "opacity"
-/// (percent), "hidden" and "locked". turnUp lays it so that the other one of the file's y and z is
+/// (percent), "hidden" and "locked"; of what is flat "turn" (degrees from upright,
+/// counter-clockwise) and "flipped". turnUp lays it so that the other one of the file's y and z is
 /// upwards. suggest: "count" and "seed" (whole numbers; 8 and 1). facets: "faces", at most. Session
 /// and interaction outlive the registry.
 void registerTemplateCommands(CommandRegistry &registry, Session &session,

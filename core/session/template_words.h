@@ -13,6 +13,8 @@ inline constexpr Text kRemoveTemplate = FFF_TEXT("Step", "Remove template %1");
 inline constexpr Text kChangeTemplate = FFF_TEXT("Step", "Change template %1");
 //: %1 is the name of a template
 inline constexpr Text kMoveTemplate = FFF_TEXT("Step", "Move template %1");
+//: %1 and %2 are the names of templates
+inline constexpr Text kAlignTemplates = FFF_TEXT("Step", "Align %1 and %2");
 //: %1 is the name of a template
 inline constexpr Text kHideTemplate = FFF_TEXT("Step", "Hide template %1");
 //: %1 is the name of a template

@@ -13,6 +13,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_cutlery_holder
     core/session/tst_failures
     core/session/tst_flips
+    core/session/tst_flat_template_commands
     core/session/tst_gap
     core/session/tst_hands
     core/session/tst_hard_crossings
