@@ -152,7 +152,7 @@ struct Guides
     struct Loop
     {
         Polygon points;
-        bool isHole = false;
+        bool isHole = false, isOpen = false;
         bool operator==(const Loop &) const = default;
     };
     Frame canvas;

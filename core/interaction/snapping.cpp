@@ -143,8 +143,9 @@ std::optional<Vec2> nearestOnLoops(const Vec2 &point, const GuideLoops &loops, d
     std::optional<Vec2> best;
     double least = reach;
     for (std::size_t k = 0; loops && k < loops->size(); ++k) {
-        const Polygon &loop = (*loops)[k];
-        for (std::size_t to = 0, from = loop.size() - 1; to < loop.size(); from = to++) {
+        const auto &[loop, isOpen] = (*loops)[k];
+        for (std::size_t to = isOpen ? 1 : 0, from = isOpen ? 0 : loop.size() - 1; to < loop.size();
+             from = to++) {
             const Vec2 place = nearestOfSegment(point, loop[from], loop[to]);
             if (const double distance = (place - point).norm(); distance < least) {
                 least = distance;

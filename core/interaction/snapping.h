@@ -47,8 +47,13 @@ inline double guideReach(double wanted, double millimetresPerPixel)
     return std::min(wanted, kGuidePixels * millimetresPerPixel);
 }
 
-/// Closed lines on a canvas, mm; null: none.
-using GuideLoops = std::shared_ptr<const std::vector<Polygon>>;
+/// Lines on a canvas, mm; null: none.
+struct GuideLine
+{
+    Polygon points;
+    bool isOpen = false; // it does not go on from its last point to the first
+};
+using GuideLoops = std::shared_ptr<const std::vector<GuideLine>>;
 /// The nearest place on one of them, less than `reach` mm away.
 std::optional<Vec2> nearestOnLoops(const Vec2 &point, const GuideLoops &loops, double reach);
 

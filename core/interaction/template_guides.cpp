@@ -3,6 +3,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment_distance.h"
 #include "core/interaction/stroke_words.h"
+#include "core/templates/flat_template.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,13 @@ TemplateGuides::TemplateGuides(const Model &model, const PulledTemplates *pulled
     : m_canvas(canvas)
 {
     for (const TemplatePointer &one : model.document.templates) {
-        if (one->isHidden || !one->mesh)
+        if (one->isHidden)
             continue;
-        std::vector<TemplateLoop> loops =
-            loopsOn(canvas, *one, pulled ? *pulled->meshOf(*one) : *one->mesh);
+        std::vector<TemplateLoop> loops;
+        if (one->mesh)
+            loops = loopsOn(canvas, *one, pulled ? *pulled->meshOf(*one) : *one->mesh);
+        else if (const auto placement = worldPlacement(*one, model); one->curves && placement)
+            loops = loopsOn(canvas, *one, *placement, *one->curves);
         for (TemplateLoop &loop : loops) {
             if (loop.around >= 0)
                 loop.around += static_cast<int>(m_loops.size());
@@ -55,8 +59,9 @@ void TemplateGuides::prepareShown()
             std::min_element(points.begin(), points.end(), [](const Vec2 &a, const Vec2 &b) {
                 return a.squaredNorm() < b.squaredNorm();
             });
-        std::rotate(points.begin(), nearest, points.end());
-        shown->push_back({std::move(points), loop.isHole});
+        if (!loop.isOpen)
+            std::rotate(points.begin(), nearest, points.end());
+        shown->push_back({std::move(points), loop.isHole, loop.isOpen});
     }
     m_shown = std::move(shown);
     const Polygon &largest = m_loops.front().points;
@@ -77,7 +82,9 @@ std::shared_ptr<const Guides> TemplateGuides::curves(double reach) const
     auto guides = std::make_shared<Guides>();
     guides->reach = reach;
     for (const TemplateLoop &loop : m_loops)
-        if (const Result<Contour> curve = curveOf(loop))
+        if (loop.curve)
+            guides->lines.emplace_back(*loop.curve);
+        else if (const Result<Contour> curve = curveOf(loop))
             guides->lines.emplace_back(CurvePath::around(*curve));
     return guides;
 }
@@ -86,9 +93,9 @@ GuideLoops TemplateGuides::loops() const
 {
     if (m_loops.empty())
         return nullptr;
-    auto loops = std::make_shared<std::vector<Polygon>>();
+    auto loops = std::make_shared<std::vector<GuideLine>>();
     for (const TemplateLoop &loop : m_loops)
-        loops->push_back(loop.points);
+        loops->push_back({loop.points, loop.isOpen});
     return loops;
 }
 
@@ -103,7 +110,7 @@ bool TemplateGuides::touches(const TemplateLoop &loop, double slitLength) const
 std::vector<TemplateLoop>::const_iterator TemplateGuides::loopToTake(double slitLength) const
 {
     return std::find_if(m_loops.begin(), m_loops.end(), [&](const TemplateLoop &loop) {
-        return !loop.isHole && (slitLength <= 0.0 || touches(loop, slitLength));
+        return !loop.isHole && !loop.isOpen && (slitLength <= 0.0 || touches(loop, slitLength));
     });
 }
 
@@ -127,7 +134,7 @@ std::optional<TemplateGuides::Whole> TemplateGuides::whole(double slitLength) co
 bool TemplateGuides::isAt(const Vec2 &point, double reach) const
 {
     for (const TemplateLoop &loop : m_loops)
-        for (std::size_t i = 0; i < loop.points.size(); ++i)
+        for (std::size_t i = 0; i + (loop.isOpen ? 1 : 0) < loop.points.size(); ++i)
             if (distanceToSegment(point, loop.points[i],
                                   loop.points[(i + 1) % loop.points.size()]) <= reach)
                 return true;

@@ -1,5 +1,5 @@
-// The curves that a contour on a canvas may follow: where its plane cuts the templates that are
-// seen. For strokes, the pen and points alike.
+// The curves that a contour on a canvas may follow: where its plane cuts the meshes that are seen,
+// and the lines of drawings that lie in it. For strokes, the pen and points alike.
 #pragma once
 
 #include "core/interaction/contour_target.h"
@@ -23,7 +23,7 @@ class TemplateGuides
 {
 public:
     TemplateGuides() = default;
-    /// Of meshes that are not hidden, as magnets pull them. O(what the plane meets).
+    /// Of templates that are not hidden, meshes as magnets pull them. O(what the plane meets).
     /// pulled  may be null
     TemplateGuides(const Model &model, const PulledTemplates *pulled, const Frame &canvas);
 

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/interaction/view_cube.h"
+#include "core/templates/flat_template.h"
 #include "core/templates/template_mesh.h"
 
 #include <algorithm>
@@ -111,8 +112,13 @@ std::vector<Vec3> outlinePoints(const Model &model, const ViewState &view)
         if (!view.isHidden(model.ref(i)))
             addOutline(model, i, points);
     for (const TemplatePointer &one : model.document.templates)
-        if (!one->isHidden && one->mesh)
+        if (!one->isHidden && one->mesh) {
             addOutline(*one, points);
+        } else if (const auto placement = worldPlacement(*one, model);
+                   !one->isHidden && one->isRead() && placement) {
+            const auto corners = cornersOf(*one, *placement);
+            points.insert(points.end(), corners.begin(), corners.end());
+        }
     return points;
 }
 

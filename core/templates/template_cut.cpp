@@ -1,5 +1,6 @@
 #include "core/templates/template_cut.h"
 
+#include "core/base/tolerances.h"
 #include "core/templates/guide_curve.h"
 
 #include <algorithm>
@@ -32,8 +33,91 @@ std::vector<TemplateLoop> loopsOn(const Frame &frame, const Template &one, const
     return loops;
 }
 
+namespace {
+
+/// Straight through all of it, from the drawing to the plane.
+struct OntoPlane
+{
+    const Frame &frame;
+    const Similarity &placement;
+
+    Vec2 operator()(const Vec2 &p) const { return frame.toLocal(placement({p.x(), p.y(), 0.0})); }
+    std::vector<Vec2> operator()(std::vector<Vec2> points) const
+    {
+        for (Vec2 &p : points)
+            p = (*this)(p);
+        return points;
+    }
+};
+
+bool liesIn(const Frame &frame, const Similarity &placement, const Vec2 &size)
+{
+    for (const Vec2 &corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+        const Vec2 p = 0.5 * corner.cwiseProduct(size);
+        if (!(std::abs(frame.height(placement({p.x(), p.y(), 0.0}))) <= kInPlane))
+            return false;
+    }
+    return true;
+}
+
+/// None where nothing of it is left.
+std::optional<TemplateLoop> loopOf(TemplateId id, const Contour &contour, bool isHole,
+                                   const OntoPlane &map)
+{
+    Result<Contour> there = Contour::fromPoints(map(contour.points()));
+    if (!there)
+        return std::nullopt;
+    if ((there->signedArea() < 0.0) != isHole) // the drawing is seen from behind
+        there = there->reversed();
+    TemplateLoop loop;
+    loop.of = id;
+    loop.isHole = isHole;
+    loop.points = there->polygon(kCutChord);
+    loop.curve = CurvePath::around(*there);
+    return loop;
+}
+
+} // namespace
+
+std::vector<TemplateLoop> loopsOn(const Frame &frame, const Template &one,
+                                  const Similarity &placement, const TemplateCurves &curves)
+{
+    if (!liesIn(frame, placement, curves.size))
+        return {};
+    const OntoPlane map{frame, placement};
+    std::vector<TemplateLoop> loops;
+    for (const Outline &outline : curves.outlines) {
+        std::optional<TemplateLoop> outer = loopOf(one.id, outline.outer, false, map);
+        if (!outer)
+            continue;
+        const auto around = static_cast<int>(loops.size());
+        loops.push_back(*std::move(outer));
+        for (const Contour &contour : outline.holes)
+            if (std::optional<TemplateLoop> hole = loopOf(one.id, contour, true, map)) {
+                hole->around = around;
+                loops.push_back(*std::move(hole));
+            }
+    }
+    for (const CurvePath &line : curves.open) {
+        Result<CurvePath> there = CurvePath::fromPoints(map(line.points()));
+        if (!there)
+            continue;
+        TemplateLoop loop;
+        loop.of = one.id;
+        loop.isOpen = true;
+        loop.points = there->flatten(kCutChord);
+        loop.curve = *std::move(there);
+        loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
 Result<Contour> curveOf(const TemplateLoop &loop)
 {
+    if (loop.isOpen)
+        return failure(ErrorCode::EmptyContour);
+    if (loop.curve)
+        return loop.curve->ring();
     CutLoop flat;
     flat.isHole = loop.isHole;
     flat.area = std::abs(signedArea(loop.points));

@@ -14,11 +14,13 @@ constexpr double kShortGuideTick = 4.0, kLongGuideTick = 7.0; // px, to each sid
 constexpr double kLeastTickPixels = 5.0;                  // nearer to each other they are left out
 constexpr double kCaughtRadius = 6.0, kTurnoutHalf = 3.5; // px
 
-void addTicks(const MarkPen &pen, const Frame &canvas, const Polygon &points, QPainterPath &path)
+void addTicks(const MarkPen &pen, const Frame &canvas, const sign::Guides::Loop &loop,
+              QPainterPath &path)
 {
+    const Polygon &points = loop.points;
     double along = 0.0, next = 0.0;
     int count = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i + (loop.isOpen ? 1 : 0) < points.size(); ++i) {
         const Vec2 &p = points[i], &q = points[(i + 1) % points.size()];
         const double length = (q - p).norm();
         for (; length > 0.0 && next < along + length; next += kGuideTickEvery, ++count) {
@@ -49,7 +51,8 @@ void paintGuides(MarkPen &pen, const sign::Guides &guides)
         QPainterPath line(pen.screen(guides.canvas.toWorld(points.front())));
         for (std::size_t i = 1; i < points.size(); ++i)
             line.lineTo(pen.screen(guides.canvas.toWorld(points[i])));
-        line.closeSubpath();
+        if (!loop.isOpen)
+            line.closeSubpath();
         QPen stroke = roundPen(colour, width);
         if (loop.isHole) {
             stroke.setCapStyle(Qt::FlatCap);
@@ -57,7 +60,7 @@ void paintGuides(MarkPen &pen, const sign::Guides &guides)
         }
         pen.cased(line, stroke);
         QPainterPath ticks;
-        addTicks(pen, guides.canvas, points, ticks);
+        addTicks(pen, guides.canvas, loop, ticks);
         pen.painter().strokePath(ticks, roundPen(colour, 0.7 * kCutWidth));
     }
     QPainter &painter = pen.painter();

@@ -2,6 +2,7 @@
 #include "tests/core/interaction/desk.h"
 
 #include "core/interaction/pen_marks.h"
+#include "core/interaction/template_guides.h"
 #include "core/model/point_edits.h"
 #include "core/model/template_edits.h"
 #include "core/templates/template_cut.h"
@@ -35,6 +36,39 @@ void addMesh(Desk &desk, const MeshDraft &draft)
 void addBall(Desk &desk)
 {
     addMesh(desk, sphere(kBall, 120, 180));
+}
+
+/// Four quarters, off the circle by a 4000th of its radius.
+CurvePath circle(double radius)
+{
+    constexpr double kHandle = 0.5519150244935106;
+    std::vector<Vec2> points{{radius, 0.0}};
+    Vec2 from(radius, 0.0);
+    for (int i = 0; i < 4; ++i) {
+        const Vec2 to = perpendicular(from);
+        points.insert(points.end(), {from + kHandle * to, to + kHandle * from, to});
+        from = to;
+    }
+    points.back() = points.front();
+    return CurvePath::fromPoints(std::move(points)).value();
+}
+
+/// A drawing as large as the ball, with a hole in it and an upright line to its left, so far before
+/// the first plane.
+void addRings(Desk &desk, double before = 0.0, bool isFlipped = false)
+{
+    Template one;
+    one.kind = TemplateKind::Curves;
+    one.name = "Rings";
+    one.file = "rings.svg";
+    std::vector<CurvePath> lines{circle(kBall), circle(25.0)};
+    for (const double x : {-90.0, 90.0}) // so that the middle is that of the rings
+        lines.push_back(CurvePath::fromLine({{x, -50.0}, {x, 50.0}}).value());
+    one.curves = makeTemplateCurves(std::move(lines)).value();
+    one.frame.origin = {0.0, kFirstPlaneHeight, before};
+    one.isFlipped = isFlipped;
+    const Document next = addTemplate(desk.session.committed().document, one).value();
+    desk.session.commit(QStringLiteral("Add template"), next);
 }
 
 /// How far the contour is from the ball, at most, mm.
@@ -87,6 +121,11 @@ private Q_SLOTS:
     void pointsOfThePenLieOnTheMesh();
     void draggedPointsComeToLieOnTheMesh();
     void undoGivesBackWhatWasThere();
+    void linesOfADrawingAreGuides();
+    void ofADrawingAllAtOnce();
+    void openLinesCatchPointsToo();
+    void aDrawingInAnotherPlaneIsNone();
+    void aDrawingOnASectionIsAGuideForItsHoles();
 };
 
 void TestTemplateStrokes::theFirstSectionFollowsTheMesh()
@@ -298,6 +337,85 @@ void TestTemplateStrokes::undoGivesBackWhatWasThere()
     while (desk.session.history()->canUndo())
         desk.run("edit.undo");
     QVERIFY(desk.session.committed().document == before);
+}
+
+// A drawing has the very lines that are followed.
+void TestTemplateStrokes::linesOfADrawingAreGuides()
+{
+    for (const bool isFlipped : {false, true}) {
+        Desk desk;
+        addRings(desk, 0.0, isFlipped);
+        drawRound(desk, 3.0, 0.98);
+        QCOMPARE(desk.sections().size(), std::size_t(1));
+        QVERIFY2(offBall(*desk.sections()[0]) < 0.05,
+                 qPrintable(QString::number(offBall(*desk.sections()[0]))));
+        QVERIFY(desk.sections()[0]->shape->contour().segmentCount() < 12);
+    }
+}
+
+void TestTemplateStrokes::ofADrawingAllAtOnce()
+{
+    for (const bool isFlipped : {false, true}) {
+        Desk desk;
+        addRings(desk, 0.0, isFlipped);
+        desk.moveTo(desk.plate(80, 0));
+        desk.press(desk.plate(80, 0));
+        desk.moveTo(desk.plate(80, 20));
+        QVERIFY(desk.interaction.hasGuide());
+        QCOMPARE(guidesShown(desk)->loops->size(), std::size_t(4));
+        desk.run("section.takeGuide");
+        QCOMPARE(desk.sections().size(), std::size_t(1));
+        const Shape &shape = *desk.sections()[0]->shape;
+        QCOMPARE(shape.contour().segmentCount(), 4);
+        QCOMPARE(shape.holes().size(), std::size_t(1));
+        QVERIFY(std::abs(shape.area() / (std::numbers::pi * (3600 - 625)) - 1.0) < 1e-3);
+    }
+}
+
+// Wrong: an open line caught points between its end and its start.
+void TestTemplateStrokes::openLinesCatchPointsToo()
+{
+    Desk desk;
+    addRings(desk);
+    desk.run("section.pen");
+    desk.click(desk.plate(-92, 30));
+    desk.click(desk.plate(-88, -20));
+    desk.click(desk.plate(-75, 0));
+    desk.click(desk.plate(23, 4));
+    const PenMarks *path = desk.interaction.overlay().find<PenMarks>();
+    QVERIFY(path && path->points.size() == 4);
+    QCOMPARE(path->points[0].at.x(), -90.0);
+    QCOMPARE(path->points[1].at.x(), -90.0);
+    QVERIFY(path->points[2].at.x() > -80.0);
+    QVERIFY(std::abs(path->points[3].at.norm() - 25.0) < 0.05);
+}
+
+void TestTemplateStrokes::aDrawingInAnotherPlaneIsNone()
+{
+    Desk desk;
+    addRings(desk, 0.2);
+    drawRound(desk, 3.0, 0.98);
+    QVERIFY(offBall(*desk.sections()[0]) > 2.0);
+}
+
+void TestTemplateStrokes::aDrawingOnASectionIsAGuideForItsHoles()
+{
+    Desk desk;
+    desk.addPlate(0.0, {150, 80});
+    const Section &plate = *desk.sections()[0];
+    addRings(desk, 40.0);
+    desk.interaction.select({plate.id});
+    desk.run("template.lay", {{"plane", "section"}});
+    desk.run("template.set", {{"size", "60"}});
+    const TemplateGuides guides(desk.session.committed(), plate.frame);
+    QVERIFY(!guides.isEmpty());
+    const auto whole = guides.whole(0.0);
+    QVERIFY(whole && whole->holes.size() == 1);
+    QVERIFY((whole->contour.bounds().center() - plate.shape->bounds().center()).norm() < 1e-6);
+    QVERIFY(std::abs(whole->contour.signedArea() / (std::numbers::pi * 400.0) - 1.0) < 1e-3);
+    // Across it there is none.
+    const Frame across{plate.frame.origin, plate.frame.x, plate.frame.normal()};
+    QVERIFY(TemplateGuides(desk.session.committed(), across).isEmpty());
 }
 
 FFF_TEST(TestTemplateStrokes)
