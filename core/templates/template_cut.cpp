@@ -17,7 +17,10 @@ std::vector<TemplateLoop> loopsOn(const Frame &frame, const Template &one, const
         return {};
     std::vector<TemplateLoop> loops;
     for (const CutLoop &cut : planeCut(*mesh.mesh, *plane, &mesh.tree).loops) {
-        TemplateLoop loop{one.id, {}, cut.isHole, !cut.isClosed()};
+        TemplateLoop loop;
+        loop.of = one.id;
+        loop.isHole = cut.isHole;
+        loop.isBridged = !cut.isClosed();
         loop.points.reserve(cut.points.size());
         for (const Vec3 &p : cut.points)
             loop.points.push_back(frame.toLocal(toWorld(p)));
