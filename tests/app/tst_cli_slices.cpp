@@ -10,6 +10,7 @@
 #include "tests/test_program.h"
 
 #include <QFile>
+#include <QImage>
 #include <QTemporaryDir>
 
 #include <numbers>
@@ -36,6 +37,8 @@ private Q_SLOTS:
     void unreadable();
     void nothingIsLargeEnough();
     void besideAModelThatIsPlayed();
+    void picturesBesideAModelAreTraced();
+    void whatIsFlatIsNoMesh();
     void wrongTemplates_data();
     void wrongTemplates();
 
@@ -233,6 +236,37 @@ void TestCliSlices::besideAModelThatIsPlayed()
     QVERIFY(std::abs(worldBounds(ball, *ball.mesh).size().maxCoeff() - 80.0) < 1e-9);
     QVERIFY(std::abs(worldBounds(open, *open.mesh).size().maxCoeff() - 254.0) < 1e-6);
     QCOMPARE(open.name, std::string("open@home"));
+}
+
+void TestCliSlices::picturesBesideAModelAreTraced()
+{
+    QImage image(100, 50, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    for (int x = 20; x < 60; ++x)
+        for (int y = 10; y < 40; ++y)
+            image.setPixelColor(x, y, Qt::black);
+    QVERIFY(image.save(path(u"block.png"_s)));
+    QFile script(path(u"trace.json"_s));
+    QVERIFY(script.open(QIODevice::WriteOnly));
+    script.write(R"({"viewport": [800, 600], "events": [
+        {"type": "command", "name": "template.trace", "parameters": {"smoothing": "0"}}]})");
+    script.close();
+    const Run told = run({u"replay"_s, script.fileName(), u"--template"_s, path(u"block.png@200"_s),
+                          u"-o"_s, path(u"traced.fff"_s)});
+    QVERIFY2(told.status == 0, told.err);
+    const Model model = modelIn(u"traced.fff"_s);
+    QCOMPARE(model.sectionCount(), std::size_t(1));
+    QVERIFY(std::abs(model.section(0)->shape->area() / (80.0 * 60.0) - 1.0) < 1e-6);
+    QCOMPARE(model.document.templates.size(), std::size_t(1));
+    QVERIFY(model.document.templates[0]->picture);
+}
+
+void TestCliSlices::whatIsFlatIsNoMesh()
+{
+    const Run told = run({u"slices"_s, path(u"block.png"_s), u"-o"_s, path(u"never.fff"_s)});
+    QCOMPARE(told.status, 2);
+    QCOMPARE(told.err, QByteArray("block.png: found nothing, expected a mesh: this is flat\n"));
+    QVERIFY(!QFile::exists(path(u"never.fff"_s)));
 }
 
 void TestCliSlices::wrongTemplates_data()
