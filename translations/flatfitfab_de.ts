@@ -5115,7 +5115,9 @@
         <source>%1 stays where it was drawn: moved in, its slit would cut up %2. Draw across the edge, not along it.</source>
         <extracomment>%1 and %2 are names of sections</extracomment>
         <translation type="unfinished"></translation>
-        <source>%2 lies aslant to %1: lay it on the plane of %1 first.</source>
+    </message>
+    <message>
+        <source>%2 lies aslant to %1: move it to the plane of %1 first.</source>
         <extracomment>%1 is a section, %2 the name of a template</extracomment>
         <translation>%2 liegt schräg zu %1: lege es zuerst auf die Ebene von %1.</translation>
     </message>

@@ -20,7 +20,7 @@ inline constexpr Text kLinesRead = FFF_TEXT_OF_MANY("Hint", "%n lines were read"
 
 //: %1 is a section, %2 the name of a template
 inline constexpr Text kDrawingAslant =
-    FFF_TEXT("Hint", "%2 lies aslant to %1: lay it on the plane of %1 first.");
+    FFF_TEXT("Hint", "%2 lies aslant to %1: move it to the plane of %1 first.");
 //: %1 is the name of a template
 inline constexpr Text kTooManyOutlines = FFF_TEXT_OF_MANY(
     "Hint", "%1 has %n outlines, which is too many: trace it coarser, or smooth it first.");
