@@ -1235,43 +1235,43 @@
     </message>
     <message>
         <source>End one at the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine an der anderen enden lassen</translation>
     </message>
     <message>
         <source>End %1 at %2</source>
         <extracomment>%1 and %2 are names of sections</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 an %2 enden lassen</translation>
     </message>
     <message>
         <source>Move the slit in from the edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schlitz vom Rand weg rücken.</translation>
     </message>
     <message>
         <source>Cannot be assembled yet. It could be if two sections did not overlap.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht zusammenbaubar. Es ginge, wenn zwei Scheiben sich nicht überschnitten.</translation>
     </message>
     <message numerus="yes">
         <source>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Noch nicht zusammenbaubar. Es ginge, wenn %n Scheibenpaar sich nicht überschnitte.</numerusform>
+            <numerusform>Noch nicht zusammenbaubar. Es ginge, wenn %n Scheibenpaare sich nicht überschnitten.</numerusform>
         </translation>
     </message>
     <message>
         <source>Cannot be assembled yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht zusammenbaubar</translation>
     </message>
     <message>
         <source>Falls at a touch: tables lean more. Tips past %1, margin %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fällt beim Antippen: Tische stehen schiefer. Kippt über %1, Reserve %2.</translation>
     </message>
     <message>
         <source>Falls at a touch</source>
-        <translation type="unfinished"></translation>
+        <translation>Fällt beim Antippen</translation>
     </message>
     <message>
         <source>Rather thin</source>
-        <translation type="unfinished"></translation>
+        <translation>Recht dünn</translation>
     </message>
 </context>
 <context>
@@ -3003,18 +3003,6 @@
         <translation>Alle anderen Scheiben blass zeigen</translation>
     </message>
     <message>
-        <source>&amp;Mesh to draw over…</source>
-        <translation>Ne&amp;tz als Vorlage …</translation>
-    </message>
-    <message>
-        <source>Mesh</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
-        <source>Read a mesh that sections snap to while you draw them</source>
-        <translation>Ein Netz laden, an dem Scheiben beim Zeichnen einrasten</translation>
-    </message>
-    <message>
         <source>&amp;Take the whole guide</source>
         <translation>&amp;Ganze Führung übernehmen</translation>
     </message>
@@ -3061,8 +3049,22 @@
     <message>
         <source>There is no mesh that could be pulled</source>
         <translation>Kein Netz da, das sich anziehen ließe</translation>
+    </message>
+    <message>
         <source>There is no picture and no drawing: add one first</source>
         <translation>Es gibt kein Bild und keine Zeichnung: füge zuerst eines hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;Template to draw over…</source>
+        <translation>&amp;Vorlage zum Nachzeichnen …</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Read a mesh, a picture or a drawing to draw sections over</source>
+        <translation>Ein Netz, ein Bild oder eine Zeichnung einlesen, um darüber zu zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3225,7 +3227,7 @@
     <message>
         <source>Moved in by %1. B: put it back</source>
         <extracomment>%1 is a length</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Um %1 hereingerückt. B: zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -5109,12 +5111,12 @@
     </message>
     <message>
         <source>B: square the corners</source>
-        <translation type="unfinished"></translation>
+        <translation>B: Ecken rechtwinklig</translation>
     </message>
     <message>
         <source>%1 stays where it was drawn: moved in, its slit would cut up %2. Draw across the edge, not along it.</source>
         <extracomment>%1 and %2 are names of sections</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 bleibt, wo es gezeichnet wurde: Hereingerückt würde sein Schlitz %2 zerschneiden. Quer über den Rand zeichnen, nicht an ihm entlang.</translation>
     </message>
     <message>
         <source>%2 lies aslant to %1: move it to the plane of %1 first.</source>
@@ -6788,6 +6790,8 @@
             <numerusform>Vorlagen von %n Scheibe lösen</numerusform>
             <numerusform>Vorlagen von %n Scheiben lösen</numerusform>
         </translation>
+    </message>
+    <message>
         <source>Trace %1</source>
         <extracomment>%1 is the name of a template</extracomment>
         <translation>%1 nachzeichnen</translation>
@@ -8038,8 +8042,8 @@
         <translation>Überschreiben</translation>
     </message>
     <message>
-        <source>Add a mesh</source>
-        <translation>Netz hinzufügen</translation>
+        <source>Add a template</source>
+        <translation>Vorlage hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -8197,11 +8201,11 @@
     </message>
     <message>
         <source>&lt;b&gt;Not mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one side, %2 on the other. Symmetry is off, or Shift is held.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Nicht gespiegelt.&lt;/b&gt; Auf einer Seite der Achse gezeichnet: %1 auf der einen, %2 auf der anderen Seite. Symmetrie ist aus, oder Umschalt ist gedrückt.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one side, %2 on the other. Cross it by %3 or more to draw both sides yourself.</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Gespiegelt.&lt;/b&gt; Auf einer Seite der Achse gezeichnet: %1 auf der einen, %2 auf der anderen Seite. Wer sie um %3 oder mehr überquert, zeichnet beide Seiten selbst.</translation>
     </message>
 </context>
 <context>
@@ -8656,6 +8660,113 @@
     <message>
         <source>Its centre, in the coordinates of the section</source>
         <translation>Von seiner Mitte, in den Koordinaten der Scheibe</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::FlatGroup</name>
+    <message>
+        <source>Trace</source>
+        <translation>Nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Lies on</source>
+        <translation>Liegt auf</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Lay it on the ground</source>
+        <translation>Auf den Boden legen</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Stand it up, to be seen from the front</source>
+        <translation>Aufstellen, von vorne zu sehen</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Stand it up, to be seen from the right</source>
+        <translation>Aufstellen, von rechts zu sehen</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Lay it on the selected section, with which it goes</source>
+        <translation>Auf die ausgewählte Scheibe legen, mit der es geht</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>As seen from behind</source>
+        <translation>Wie von hinten gesehen</translation>
+    </message>
+    <message>
+        <source>Align front and side</source>
+        <translation>Vorne und Seite ausrichten</translation>
+    </message>
+    <message>
+        <source>The last two pictures as front and side of the same thing: as high as each other, and above the same place</source>
+        <translation>Die letzten zwei Bilder als Vorder- und Seitenansicht desselben Dings: gleich hoch und über derselben Stelle</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>How dark it has to be to be traced</source>
+        <translation>Wie dunkel es sein muss, um nachgezeichnet zu werden</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>How round corners become</source>
+        <translation>Wie rund Ecken werden</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>Sections of its outlines, on its own plane</source>
+        <translation>Scheiben aus seinen Umrissen, auf seiner Ebene</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Holes in the section that it lies on, or that is selected</source>
+        <translation>Löcher in der Scheibe, auf der es liegt oder die ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Engraving</source>
+        <translation>Gravur</translation>
+    </message>
+    <message>
+        <source>Lines on the section that it lies on, or that is selected</source>
+        <translation>Linien auf der Scheibe, auf der es liegt oder die ausgewählt ist</translation>
     </message>
 </context>
 <context>
@@ -9557,10 +9668,6 @@
 <context>
     <name>fff::ui::MeshImport</name>
     <message>
-        <source>Meshes (%1)</source>
-        <translation>Netze (%1)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -9577,6 +9684,11 @@
         <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 ist zu groß für ein Modell und wurde daher %2 groß gemacht. Die Größe steht unter Vorlagen.</translation>
+    </message>
+    <message>
+        <source>Meshes, pictures and drawings (%1)</source>
+        <extracomment>%1 is a list of patterns such as *.stl</extracomment>
+        <translation>Netze, Bilder und Zeichnungen (%1)</translation>
     </message>
 </context>
 <context>
@@ -11826,18 +11938,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Add mesh…</source>
-        <translation>Netz hinzufügen …</translation>
-    </message>
-    <message>
-        <source>Read a mesh to draw sections after it</source>
-        <translation>Ein Netz laden, um Scheiben danach zu zeichnen</translation>
-    </message>
-    <message>
-        <source>Add a mesh, or drop one on the window: sections that you draw snap to where their planes cut it.</source>
-        <translation>Ein Netz hinzufügen oder auf das Fenster ziehen: gezeichnete Scheiben rasten ein, wo ihre Ebenen es schneiden.</translation>
-    </message>
-    <message>
         <source>F2 renames, Space hides, L locks, Del removes.</source>
         <translation>F2 benennt um, Leertaste blendet aus, L sperrt, Entf entfernt.</translation>
     </message>
@@ -11868,13 +11968,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Lay it on its other side: what is up in it is up in the view</source>
         <translation>Auf die andere Seite legen: was darin oben ist, ist auch in der Ansicht oben</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n triangles</source>
-        <translation>
-            <numerusform>%1: %n Dreieck</numerusform>
-            <numerusform>%1: %n Dreiecke</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 is missing</source>
@@ -11917,10 +12010,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Position Z</translation>
     </message>
     <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
         <source>its file is missing</source>
         <translation>ihre Datei fehlt</translation>
     </message>
@@ -11931,6 +12020,45 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Place and size</source>
         <translation>Lage und Größe</translation>
+    </message>
+    <message>
+        <source>Add template…</source>
+        <translation>Vorlage hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Read a mesh, a picture or a drawing to draw sections after it</source>
+        <translation>Ein Netz, ein Bild oder eine Zeichnung einlesen, um Scheiben danach zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Add a mesh, a picture or a drawing, or drop one on the window. Sections that you draw snap to where their planes cut a mesh, and to the lines of a drawing in their plane.</source>
+        <translation>Ein Netz, ein Bild oder eine Zeichnung hinzufügen oder auf das Fenster ziehen. Gezeichnete Scheiben rasten ein, wo ihre Ebene ein Netz schneidet, und an Linien einer Zeichnung in ihrer Ebene.</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangles</source>
+        <translation>
+            <numerusform>%n Dreieck</numerusform>
+            <numerusform>%n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines</source>
+        <translation>
+            <numerusform>%n Linie</numerusform>
+            <numerusform>%n Linien</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -164,9 +164,9 @@
     </message>
     <message numerus="yes">
         <source>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Cannot be assembled yet. It could be if %n pair of sections did not overlap.</numerusform>
+            <numerusform>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</numerusform>
         </translation>
     </message>
 </context>
@@ -865,10 +865,17 @@
 <context>
     <name>fff::ui::TemplatesDock</name>
     <message numerus="yes">
-        <source>%1: %n triangles</source>
+        <source>%n triangles</source>
         <translation>
-            <numerusform>%1: %n triangle</numerusform>
-            <numerusform>%1: %n triangles</numerusform>
+            <numerusform>%n triangle</numerusform>
+            <numerusform>%n triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines</source>
+        <translation>
+            <numerusform>%n line</numerusform>
+            <numerusform>%n lines</numerusform>
         </translation>
     </message>
 </context>

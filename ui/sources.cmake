@@ -71,6 +71,7 @@ target_sources(fff_ui PRIVATE
     docks/checks_dock.cpp
     docks/dock_title.cpp
     docks/drawing_page.cpp
+    docks/flat_group.cpp
     docks/history_dock.cpp
     docks/joint_page.cpp
     docks/load_page.cpp

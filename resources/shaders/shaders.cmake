@@ -14,6 +14,8 @@ qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR}
     ${CMAKE_CURRENT_LIST_DIR}/occlusion.frag
     ${CMAKE_CURRENT_LIST_DIR}/occlusion_apply.frag
     ${CMAKE_CURRENT_LIST_DIR}/occlusion_blur.frag
+    ${CMAKE_CURRENT_LIST_DIR}/picture.frag
+    ${CMAKE_CURRENT_LIST_DIR}/picture.vert
     ${CMAKE_CURRENT_LIST_DIR}/screen.vert
     ${CMAKE_CURRENT_LIST_DIR}/shadow.frag
     ${CMAKE_CURRENT_LIST_DIR}/slab.frag

@@ -4,15 +4,20 @@
 
 #include "core/model/template_edits.h"
 #include "core/templates/template_mesh.h"
+#include "core/templates/template_picture.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
+#include "ui/view/flat_painter.h"
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTreeWidget>
+
+#include <cmath>
+#include <numbers>
 
 using namespace fff;
 using namespace fff::ui;
@@ -29,6 +34,7 @@ private Q_SLOTS:
     void theListHidesLocksAndRemoves();
     void suggestionsComeOneStepEach();
     void facetsTakeThePlaceOfTheMesh();
+    void aPictureIsSeenLaidAndTraced();
 
 private:
     /// On the ground, and chosen in the list.
@@ -161,6 +167,54 @@ void TestTemplateWindow::facetsTakeThePlaceOfTheMesh()
     session().history()->undo();
     QCOMPARE(count(), std::size_t(0));
     QVERIFY(!ball().isHidden);
+}
+
+// Wrong: what can be read as a template is not to be seen, or has buttons that do nothing.
+void TestTemplateWindow::aPictureIsSeenLaidAndTraced()
+{
+    constexpr int kAcross = 200, kRadius = 70; // px
+    auto picture = std::make_shared<TemplatePicture>();
+    picture->width = picture->height = kAcross;
+    for (int y = 0; y < kAcross; ++y)
+        for (int x = 0; x < kAcross; ++x) {
+            const bool isDark = std::hypot(x + 0.5 - kAcross / 2, y + 0.5 - kAcross / 2) < kRadius;
+            for (const int value : {isDark ? 20 : 255, isDark ? 20 : 255, isDark ? 20 : 255, 255})
+                picture->rgba.push_back(static_cast<std::uint8_t>(value));
+        }
+    Template one;
+    one.kind = TemplateKind::Picture;
+    one.name = "Disc";
+    one.file = "disc.png";
+    one.picture = picture;
+    one.scale = 0.5; // mm a pixel
+    session().commit(QStringLiteral("Add"),
+                     addTemplate(session().committed().document, one).value());
+    auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
+    dock->show();
+    dock->raise();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("templateTree"));
+    tree->setCurrentItem(tree->topLevelItem(0));
+    const auto flats = [this] { return flatsOf(session().model()); };
+    QCOMPARE(flats().size(), std::size_t(1));
+    QCOMPARE(imageOf(flats().front(), 64).size(), QSize(64, 64));
+    QVERIFY(qGray(imageOf(flats().front(), 64).pixel(32, 32)) < 40);
+    // What is of meshes alone is not offered.
+    QVERIFY(!m_window->findChild<QPushButton *>(QStringLiteral("makeFacets"))->isVisible());
+    push("flat.side");
+    QVERIFY(std::abs(ball().frame.normal().x()) > 0.99);
+    push("flat.front");
+    QVERIFY(std::abs(ball().frame.normal().z()) > 0.99);
+    push("flat.flip");
+    QVERIFY(ball().isFlipped);
+    push("flat.sections");
+    QCOMPARE(count(), std::size_t(1));
+    const double area = session().committed().document.sections.front()->shape->area();
+    QVERIFY2(std::abs(area / (std::numbers::pi * 35.0 * 35.0) - 1.0) < 0.02,
+             qPrintable(QString::number(area)));
+    // Hidden it is not seen.
+    tree->setFocus();
+    QTest::keyClick(tree, Qt::Key_Space);
+    QVERIFY(flats().empty());
 }
 
 FFF_TEST_WITH(TestTemplateWindow, runInWindowProgram<TestTemplateWindow>)

@@ -3,11 +3,15 @@
 #include "core/base/tolerances.h"
 #include "core/session/template_commands.h"
 #include "core/session/template_words.h"
+#include "core/templates/flat_template.h"
+#include "core/templates/template_curves.h"
 #include "core/templates/template_mesh.h"
+#include "core/templates/template_picture.h"
 #include "ui/base/icon.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/flat_group.h"
 #include "ui/docks/making_group.h"
 #include "ui/docks/outline_marks.h"
 #include "ui/properties/property_rows.h"
@@ -39,7 +43,12 @@ constexpr LengthEdit::Range kTemplatePlace{-kMaxCoordinate, kMaxCoordinate, 1.0,
 
 double sizeOf(const Template &one)
 {
-    return one.mesh ? one.scale * one.mesh->mesh->size() : 0.0;
+    return one.mesh ? one.scale * one.mesh->mesh->size() : flatSize(one).maxCoeff();
+}
+
+bool isRead(const Template &one)
+{
+    return one.mesh || one.picture || one.curves;
 }
 
 } // namespace
@@ -49,14 +58,16 @@ TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
 {
     dressDock(this, "templatesDock");
     auto *content = new QWidget(this);
-    auto *add = new QPushButton(themedIcon(QStringLiteral("plus")), tr("Add mesh…"), content);
+    auto *add = new QPushButton(themedIcon(QStringLiteral("plus")), tr("Add template…"), content);
     add->setObjectName(QStringLiteral("templateAdd"));
-    add->setToolTip(tr("Read a mesh to draw sections after it"));
+    add->setToolTip(tr("Read a mesh, a picture or a drawing to draw sections after it"));
     connect(add, &QPushButton::clicked, this, &TemplatesDock::addWanted);
 
-    m_empty = new QLabel(tr("Add a mesh, or drop one on the window: sections that you draw snap to "
-                            "where their planes cut it."),
-                         content);
+    m_empty = new QLabel(
+        tr("Add a mesh, a picture or a drawing, or drop one on the window. Sections that "
+           "you draw snap to where their planes cut a mesh, and to the lines of a "
+           "drawing in their plane."),
+        content);
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_empty->setContentsMargins(4, 8, 4, 8);
@@ -105,9 +116,13 @@ QWidget *TemplatesDock::makeFields()
         if (const Template *one = chosen())
             m_bench.run(QStringLiteral("operation.slices"), {{"template", one->name}});
     });
+    m_slices = slices;
     column->addWidget(slices);
     column->addSpacing(6);
     column->addWidget(makeMaking());
+    m_flat = new FlatGroup(
+        m_bench, [this] { return chosen(); }, m_fields);
+    column->addWidget(m_flat);
     m_group = new PropertyGroup(tr("Place and size"), m_fields);
     const auto add = [this](PropertyRow *row) {
         m_group->add(row);
@@ -156,18 +171,20 @@ QWidget *TemplatesDock::makeFields()
             },
             m_group));
     add(new TextRow(
-        tr("Triangles"), "templateTriangles",
+        tr("Holds"), "templateTriangles",
         [this] {
             const Template *one = chosen();
-            return one && one->mesh ? locale().toString(static_cast<qlonglong>(
-                                          one->mesh->mesh->triangles().size()))
-                                    : tr("its file is missing");
+            return one && isRead(*one) ? contentOf(*one) : tr("its file is missing");
         },
         m_group));
     add(new TextRow(
         tr("Extent"), "templateExtent",
         [this]() -> QString {
             const Template *one = chosen();
+            if (one && one->isFlat() && isRead(*one)) {
+                const Vec2 flat = flatSize(*one);
+                return sizeText({flat.x(), flat.y()}, 1, locale());
+            }
             if (!one || !one->mesh)
                 return tr("unknown");
             const Vec3 size = worldBounds(*one, *one->mesh).size();
@@ -191,6 +208,8 @@ QWidget *TemplatesDock::makeFields()
                 m_bench.run(command, {{"template", one->name}});
         });
         buttons->addWidget(button);
+        if (QLatin1String(id) == QLatin1String("template.turnUp"))
+            m_turnUp = button;
     }
     column->addLayout(buttons);
     column->addStretch();
@@ -259,16 +278,15 @@ void TemplatesDock::writeRows()
 
 void TemplatesDock::writeRow(QTreeWidgetItem *item, const Template &one)
 {
-    item->setIcon(kTemplateName, rowIcon(QStringLiteral("figure_polygon")));
+    item->setIcon(kTemplateName, rowIcon(one.isFlat() ? QStringLiteral("plane_front")
+                                                      : QStringLiteral("figure_polygon")));
     item->setText(kTemplateName, QString::fromStdString(one.name));
-    const auto triangles = one.mesh ? static_cast<int>(one.mesh->mesh->triangles().size()) : 0;
-    item->setToolTip(
-        kTemplateName,
-        one.mesh ? tr("%1: %n triangles", nullptr, triangles).arg(QString::fromStdString(one.file))
-                 : tr("%1 is missing").arg(QString::fromStdString(one.file)));
+    const QString file = QString::fromStdString(one.file);
+    item->setToolTip(kTemplateName, isRead(one) ? tr("%1: %2").arg(file, contentOf(one))
+                                                : tr("%1 is missing").arg(file));
     item->setForeground(
         kTemplateName,
-        palette().brush(one.isHidden || !one.mesh ? QPalette::PlaceholderText : QPalette::Text));
+        palette().brush(one.isHidden || !isRead(one) ? QPalette::PlaceholderText : QPalette::Text));
     setMark(item, kTemplateLock,
             one.isLocked ? QStringLiteral("lock") : QStringLiteral("lock_open"),
             rowIcon(one.isLocked ? QStringLiteral("lock") : QStringLiteral("lock_open")),
@@ -345,6 +363,17 @@ const Template *TemplatesDock::chosen() const
                : m_shown[static_cast<std::size_t>(row)].get();
 }
 
+QString TemplatesDock::contentOf(const Template &one) const
+{
+    if (one.mesh)
+        return tr("%n triangles", nullptr, static_cast<int>(one.mesh->mesh->triangles().size()));
+    if (one.picture)
+        //: %1 and %2 are numbers of pixels
+        return tr("%1 × %2 pixels")
+            .arg(locale().toString(one.picture->width), locale().toString(one.picture->height));
+    return tr("%n lines", nullptr, one.curves ? static_cast<int>(one.curves->lines.size()) : 0);
+}
+
 /// A locked one stays as it lies; it can be hidden, renamed and unlocked.
 void TemplatesDock::change(const std::function<void(Template &)> &change, Text step)
 {
@@ -369,6 +398,10 @@ void TemplatesDock::refreshFields()
     if (!one)
         return;
     m_group->setEnabled(!one->isLocked);
+    for (QWidget *ofMeshes : {static_cast<QWidget *>(m_slices), static_cast<QWidget *>(m_making),
+                              static_cast<QWidget *>(m_turnUp)})
+        ofMeshes->setVisible(!one->isFlat());
+    m_flat->refresh();
     for (PropertyRow *row : m_rows)
         row->refresh();
 }

@@ -10,11 +10,13 @@
 #include <vector>
 
 class QLabel;
+class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace fff::ui {
 
+class FlatGroup;
 class MakingGroup;
 class PropertyGroup;
 class PropertyRow;
@@ -46,6 +48,8 @@ private:
     void followModel();
     void writeRows();
     void writeRow(QTreeWidgetItem *item, const Template &one);
+    /// "12 triangles", "640 × 480 pixels"
+    QString contentOf(const Template &one) const;
     void rename(QTreeWidgetItem *item);
     void press(QTreeWidgetItem *item, int column);
     bool key(int key);
@@ -61,6 +65,8 @@ private:
     QWidget *m_fields = nullptr;
     PropertyGroup *m_group = nullptr;
     MakingGroup *m_making = nullptr;
+    FlatGroup *m_flat = nullptr;
+    QPushButton *m_slices = nullptr, *m_turnUp = nullptr; // of meshes
     std::vector<PropertyRow *> m_rows;
     std::vector<TemplatePointer> m_shown; // what the rows are of
     bool m_isFilling = false;

@@ -87,7 +87,7 @@ QString DocumentFiles::askForDrawing()
 
 QString DocumentFiles::askForMesh()
 {
-    FileDialog dialog(&m_window, tr("Add a mesh"), folder(), meshFilter());
+    FileDialog dialog(&m_window, tr("Add a template"), folder(), meshFilter());
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }

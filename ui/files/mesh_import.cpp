@@ -23,6 +23,9 @@ struct MeshTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::MeshImport)
 };
 
+/// An SVG that is dropped becomes sections; as a template it is asked for.
+const QString kFlatPatterns = QStringLiteral("*.png *.jpg *.jpeg *.webp *.svg");
+
 QString remarksOf(const std::vector<Message> &messages)
 {
     QStringList lines;
@@ -35,14 +38,17 @@ QString remarksOf(const std::vector<Message> &messages)
 
 QString meshFilter()
 {
-    return MeshTexts::tr("Meshes (%1)").arg(io::meshPatterns()) + QStringLiteral(";;") +
+    const QString all = io::meshPatterns() + QLatin1Char(' ') + kFlatPatterns;
+    //: %1 is a list of patterns such as *.stl
+    return MeshTexts::tr("Meshes, pictures and drawings (%1)").arg(all) + QStringLiteral(";;") +
            MeshTexts::tr("All files (*)");
 }
 
 bool isMeshFile(const QString &path)
 {
     const QString suffix = QStringLiteral("*.") + QFileInfo(path).suffix().toLower();
-    return io::meshPatterns().split(QLatin1Char(' ')).contains(suffix);
+    return io::meshPatterns().split(QLatin1Char(' ')).contains(suffix) ||
+           (kFlatPatterns.split(QLatin1Char(' ')).contains(suffix));
 }
 
 MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)

@@ -27,6 +27,7 @@ struct Picture
     std::vector<SceneSection> sections;
     std::vector<SceneThing> things;
     std::vector<SceneTemplate> templates;
+    std::vector<SceneFlat> flats;
     Camera camera;
     Vec2 viewport = Vec2::Zero();
     double pixelRatio = 0.0;
@@ -38,6 +39,7 @@ struct Picture
     {
         return camera == c && viewport == size && pixelRatio == ratio && style == s &&
                options == o && things == scene.things && templates == scene.templates &&
+               flats == scene.flats &&
                std::equal(
                    sections.begin(), sections.end(), scene.sections.begin(), scene.sections.end(),
                    [](const SceneSection &a, const SceneSection &b) { return a.looksTheSame(b); });
@@ -52,7 +54,7 @@ public:
     explicit Private(Gl &functions)
         : gl(functions), background(loadProgram("screen", "background")),
           copy(loadProgram("screen", "copy")), pass(gl), slabs(gl), sections(gl, pass, slabs),
-          things(gl), templates(gl), ground(gl, pass), occlusion(gl, pass),
+          things(gl), templates(gl), flats(gl), ground(gl, pass), occlusion(gl, pass),
           picture(gl, GL_RGBA8, true, GL_LINEAR), rest(gl, GL_RGBA8, true, GL_LINEAR),
           shown(gl, GL_RGBA8, true, GL_LINEAR)
     {
@@ -60,7 +62,7 @@ public:
     bool isReady() const
     {
         return background && copy && sections.isReady() && things.isReady() &&
-               templates.isReady() && ground.isReady() && occlusion.isReady();
+               templates.isReady() && flats.isReady() && ground.isReady() && occlusion.isReady();
     }
 
     void look(const Scene &scene, const Camera &camera, const Vec2 &viewport, double ratio,
@@ -79,6 +81,7 @@ public:
     SectionPasses sections;
     ThingPainter things;
     TemplatePainter templates;
+    FlatPainter flats;
     GroundPainter ground;
     Occlusion occlusion;
 
@@ -145,9 +148,10 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
         d->slabs.update(scene);
         d->things.update(scene.things);
         d->templates.update(scene.templates);
+        d->flats.update(scene.flats);
         d->look(scene, camera, viewport, pixelRatio, options);
         d->drawPicture(scene, style, options);
-        d->drawn = {scene.sections, scene.things, scene.templates, camera,
+        d->drawn = {scene.sections, scene.things, scene.templates, scene.flats, camera,
                     viewport,       pixelRatio,   style,           options};
         ++d->drawCount;
     }
@@ -236,7 +240,7 @@ void Renderer::Private::drawPicture(const Scene &scene, const ViewStyle &style,
     if (seesGround)
         ground.draw(view, style);
     sections.drawOpaqueEdges();
-    hasLayers = sections.hasLayers() || things.isAny() || templates.isAny();
+    hasLayers = sections.hasLayers() || things.isAny() || templates.isAny() || flats.isAny();
     if (hasLayers) {
         rest.copyFrom(picture);
         beginOn(rest, scene, style, options);
@@ -244,6 +248,8 @@ void Renderer::Private::drawPicture(const Scene &scene, const ViewStyle &style,
         rest.bind();
         if (things.isAny())
             things.draw(view);
+        if (flats.isAny())
+            flats.draw(view);
         if (templates.isAny())
             templates.draw(view, style, options.quality);
     }

@@ -222,6 +222,7 @@ Scene SceneBuilder::build(const Model &model) const
         scene.sections.push_back(std::move(item));
     }
     scene.things = thingsOf(model);
+    scene.flats = flatsOf(model);
     scene.templates = templatesOf(model.document, m_pulled.get());
     return scene;
 }
@@ -233,6 +234,9 @@ Box3 Scene::allBounds() const
         all.extend(one.bounds.min);
         all.extend(one.bounds.max);
     }
+    for (const SceneFlat &flat : flats)
+        for (const Vec3 &corner : flat.corners)
+            all.extend(corner);
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include "core/analysis/analysis.h"
 #include "core/interaction/view_state.h"
 #include "core/physics/stress_field.h"
+#include "ui/view/flat_painter.h"
 #include "ui/view/slit_covers.h"
 #include "ui/view/template_painter.h"
 #include "ui/view/thing.h"
@@ -61,6 +62,7 @@ struct Scene
     std::vector<SceneSection> sections;
     std::vector<SceneThing> things;       // what weights stand for
     std::vector<SceneTemplate> templates; // meshes that are seen
+    std::vector<SceneFlat> flats;         // pictures and drawings
     Box3 bounds;                          // of the slabs, mm
 
     /// Of those and the meshes.

@@ -7,6 +7,7 @@ target_sources(fff_view PRIVATE
     view/field_mesh.cpp
     view/field_painter.cpp
     view/frame_pace.cpp
+    view/flat_painter.cpp
     view/force_marks.cpp
     view/gizmo_marks.cpp
     view/gl.cpp

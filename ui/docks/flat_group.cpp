@@ -1,0 +1,160 @@
+#include "ui/docks/flat_group.h"
+
+#include "core/base/units.h"
+#include "core/interaction/template_drawing.h"
+#include "ui/bench/workbench.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/slider_field.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <tuple>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kPercentField = 72, kFlatGap = 6; // px
+constexpr double kAll = 100.0;
+constexpr NumberEdit::Range kFlatTurn{-360.0, 360.0, 1.0, 0, 2};
+
+} // namespace
+
+FlatGroup::FlatGroup(Workbench &bench, std::function<const Template *()> chosen, QWidget *parent)
+    : QWidget(parent), m_bench(bench), m_chosen(std::move(chosen))
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_trace = new PropertyGroup(tr("Trace"), this);
+    m_place = new PropertyGroup(tr("Lies on"), this);
+    addTrace();
+    addPlace();
+    column->addWidget(m_trace);
+    column->addWidget(m_place);
+}
+
+void FlatGroup::addPlace()
+{
+    addButtons(
+        m_place,
+        {{tr("Ground"), "ground", tr("Lay it on the ground")},
+         {tr("Front"), "front", tr("Stand it up, to be seen from the front")},
+         {tr("Side"), "side", tr("Stand it up, to be seen from the right")},
+         {tr("Section"), "section", tr("Lay it on the selected section, with which it goes")}},
+        [this](const char *plane) {
+            if (const Template *one = m_chosen())
+                m_bench.run(QStringLiteral("template.lay"),
+                            {{"template", one->name}, {"plane", plane}});
+        });
+    m_turn = new NumberEdit(kFlatTurn, tr("°"));
+    connect(m_turn, &NumberEdit::numberEdited, this, [this](double degrees) {
+        if (const Template *one = m_chosen())
+            m_bench.run(QStringLiteral("template.set"),
+                        {{"template", one->name}, {"turn", std::to_string(degrees)}});
+    });
+    m_place->add(new EditorRow(tr("Turn"), "templateTurn", m_turn, {}, m_place));
+    addButtons(m_place,
+               {{tr("Flip"), "flip", tr("As seen from behind")},
+                {tr("Align front and side"), "align",
+                 tr("The last two pictures as front and side of the same thing: as high as each "
+                    "other, and above the same place")}},
+               [this](const char *what) {
+                   const Template *one = m_chosen();
+                   if (!one)
+                       return;
+                   if (*what == 'f')
+                       m_bench.run(QStringLiteral("template.set"),
+                                   {{"template", one->name},
+                                    {"flipped", one->isFlipped ? "false" : "true"}});
+                   else
+                       m_bench.run(QStringLiteral("template.align"), {});
+               });
+}
+
+void FlatGroup::addTrace()
+{
+    m_thresholdField = percent(m_trace, tr("Threshold"), "traceThreshold", &m_threshold,
+                               tr("How dark it has to be to be traced"));
+    percent(m_trace, tr("Smoothing"), "traceSmoothing", &m_smoothing,
+            tr("How round corners become"));
+    addButtons(
+        m_trace,
+        {{tr("Sections"), "sections", tr("Sections of its outlines, on its own plane")},
+         {tr("Holes"), "holes", tr("Holes in the section that it lies on, or that is selected")},
+         {tr("Engraving"), "engraved",
+          tr("Lines on the section that it lies on, or that is selected")}},
+        [this](const char *as) {
+            const Template *one = m_chosen();
+            if (!one)
+                return;
+            CommandParameters parameters{{"template", one->name}, {"as", as}};
+            if (one->picture) {
+                parameters.emplace("threshold", std::to_string(m_threshold));
+                parameters.emplace("smoothing", std::to_string(m_smoothing));
+            }
+            m_bench.run(QStringLiteral("template.trace"), parameters);
+        });
+}
+
+SliderField *FlatGroup::percent(PropertyGroup *group, const QString &name, const char *id,
+                                int *kept, const QString &tip)
+{
+    auto *field = new NumberEdit({0.0, kAll, 1.0, 0, 0}, QStringLiteral("%"));
+    field->setFixedWidth(kPercentField);
+    auto *slider = new SliderField({0.0, kAll, 1.0, 2}, field, group);
+    slider->setNames((QByteArray(id) + "Slider").constData(),
+                     (QByteArray(id) + ".field").constData());
+    slider->setNumber(*kept);
+    const auto keep = [kept](double value) { *kept = static_cast<int>(std::lround(value)); };
+    connect(slider, &SliderField::dragged, this, keep);
+    connect(slider, &SliderField::settled, this, keep);
+    auto *row = new EditorRow(name, id, slider, {}, group);
+    row->setToolTip(tip);
+    group->add(row);
+    m_ofPictures.push_back(row);
+    return slider;
+}
+
+void FlatGroup::addButtons(PropertyGroup *group,
+                           const std::vector<std::tuple<QString, const char *, QString>> &buttons,
+                           const std::function<void(const char *)> &act)
+{
+    auto *all = new QWidget(group);
+    auto *row = new QHBoxLayout(all);
+    row->setContentsMargins(0, kFlatGap, 0, 0);
+    row->setSpacing(kFlatGap);
+    for (const auto &[text, id, tip] : buttons) {
+        auto *made = new QPushButton(text, all);
+        made->setObjectName(QLatin1String("flat.") + QLatin1String(id));
+        made->setToolTip(tip);
+        made->setAutoDefault(false);
+        connect(made, &QPushButton::clicked, this, [act, key = id] { act(key); });
+        row->addWidget(made);
+    }
+    group->add(all);
+}
+
+void FlatGroup::refresh()
+{
+    const Template *one = m_chosen();
+    setVisible(one && one->isFlat());
+    if (!one || !one->isFlat())
+        return;
+    m_trace->setEnabled(one->picture || one->curves);
+    m_place->setEnabled(!one->isLocked);
+    for (QWidget *row : m_ofPictures)
+        row->setVisible(one->picture != nullptr);
+    if (one->picture && one->picture.get() != m_shown) {
+        m_shown = one->picture.get();
+        m_threshold = static_cast<int>(std::lround(kAll * thresholdOf(*one->picture, {})));
+        m_thresholdField->setNumber(m_threshold);
+    }
+    if (const auto world = worldFrame(*one, m_bench.session().model()))
+        m_turn->setNumber(degrees(turnOf(*world)));
+}
+
+} // namespace fff::ui

@@ -1,0 +1,52 @@
+// What can be done with a picture or a drawing that is a template: where it lies, and what its
+// lines become.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include <functional>
+#include <tuple>
+#include <vector>
+
+namespace fff {
+struct Template;
+}
+
+namespace fff::ui {
+
+class NumberEdit;
+class PropertyGroup;
+class SliderField;
+class Workbench;
+
+class FlatGroup : public QWidget
+{
+    Q_OBJECT
+public:
+    /// chosen  the one that it is about; null: none, or a mesh
+    FlatGroup(Workbench &bench, std::function<const Template *()> chosen,
+              QWidget *parent = nullptr);
+
+    /// Hidden for a mesh.
+    void refresh();
+
+private:
+    void addPlace();
+    void addTrace();
+    SliderField *percent(PropertyGroup *group, const QString &name, const char *id, int *kept,
+                         const QString &tip);
+    void addButtons(PropertyGroup *group,
+                    const std::vector<std::tuple<QString, const char *, QString>> &buttons,
+                    const std::function<void(const char *)> &act);
+
+    Workbench &m_bench;
+    const std::function<const Template *()> m_chosen;
+    PropertyGroup *m_place = nullptr, *m_trace = nullptr;
+    NumberEdit *m_turn = nullptr;
+    SliderField *m_thresholdField = nullptr;
+    std::vector<QWidget *> m_ofPictures;    // rows
+    int m_threshold = 50, m_smoothing = 50; // percent
+    const void *m_shown = nullptr;          // whose threshold it is
+};
+
+} // namespace fff::ui
