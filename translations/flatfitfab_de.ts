@@ -8721,8 +8721,8 @@
         <translation>Wie von hinten gesehen</translation>
     </message>
     <message>
-        <source>Align front and side</source>
-        <translation>Vorne und Seite ausrichten</translation>
+        <source>Align two</source>
+        <translation>Zwei ausrichten</translation>
     </message>
     <message>
         <source>The last two pictures as front and side of the same thing: as high as each other, and above the same place</source>

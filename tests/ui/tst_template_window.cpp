@@ -196,6 +196,7 @@ void TestTemplateWindow::aPictureIsSeenLaidAndTraced()
     tree->setCurrentItem(tree->topLevelItem(0));
     const auto flats = [this] { return flatsOf(session().model()); };
     QCOMPARE(flats().size(), std::size_t(1));
+    QCOMPARE(flats().front().over, Vec3(Vec3::Zero()));
     QCOMPARE(imageOf(flats().front(), 64).size(), QSize(64, 64));
     QVERIFY(qGray(imageOf(flats().front(), 64).pixel(32, 32)) < 40);
     // What is of meshes alone is not offered.

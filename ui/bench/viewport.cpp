@@ -203,7 +203,8 @@ void Viewport::paintMarks()
                        over,
                        interaction.camera(),
                        Vec2(width(), height()),
-                       m_scene.sections.empty(),
+                       m_scene.sections.empty() && m_scene.templates.empty() &&
+                           m_scene.flats.empty(),
                        !interaction.hasGesture() && !overlay.find<PenMarks>()};
     scene.view = interaction.view();
     scene.view.hasGround = scene.view.hasGround && !m_areStepsBelow;

@@ -6,7 +6,7 @@
 #include "ui/properties/property_rows.h"
 #include "ui/properties/slider_field.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -59,7 +59,7 @@ void FlatGroup::addPlace()
     m_place->add(new EditorRow(tr("Turn"), "templateTurn", m_turn, {}, m_place));
     addButtons(m_place,
                {{tr("Flip"), "flip", tr("As seen from behind")},
-                {tr("Align front and side"), "align",
+                {tr("Align two"), "align",
                  tr("The last two pictures as front and side of the same thing: as high as each "
                     "other, and above the same place")}},
                [this](const char *what) {
@@ -124,16 +124,19 @@ void FlatGroup::addButtons(PropertyGroup *group,
                            const std::function<void(const char *)> &act)
 {
     auto *all = new QWidget(group);
-    auto *row = new QHBoxLayout(all);
-    row->setContentsMargins(0, kFlatGap, 0, 0);
-    row->setSpacing(kFlatGap);
+    constexpr int kColumns = 2; // more are wider than the dock
+    auto *grid = new QGridLayout(all);
+    grid->setContentsMargins(0, kFlatGap, 0, kFlatGap);
+    grid->setSpacing(kFlatGap);
+    int place = 0;
     for (const auto &[text, id, tip] : buttons) {
         auto *made = new QPushButton(text, all);
         made->setObjectName(QLatin1String("flat.") + QLatin1String(id));
         made->setToolTip(tip);
         made->setAutoDefault(false);
         connect(made, &QPushButton::clicked, this, [act, key = id] { act(key); });
-        row->addWidget(made);
+        grid->addWidget(made, place / kColumns, place % kColumns);
+        ++place;
     }
     group->add(all);
 }

@@ -70,7 +70,8 @@ std::vector<SceneFlat> flatsOf(const Model &model)
         const std::optional<Similarity> placement = worldPlacement(*one, model);
         if (!placement)
             continue;
-        SceneFlat flat{one->picture, one->curves, cornersOf(*one, *placement), {}, one->opacity};
+        SceneFlat flat{one->picture, one->curves, cornersOf(*one, *placement), Vec3::Zero(),
+                       one->opacity};
         if (const Section *on = model.find(one->on); on && one->on != SectionRef())
             flat.over =
                 (0.5 * model.document.stockOf(*on).thickness + kOverFace) * on->frame.normal();

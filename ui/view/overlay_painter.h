@@ -27,7 +27,7 @@ struct OverlayScene
     const Hovered &hovered;
     const Camera &camera;
     Vec2 viewport;
-    bool isEmpty = false; // no section yet
+    bool isEmpty = false; // nothing is to be seen yet
     bool isIdle = true;   // no gesture
     ViewState view = {};
     Box3 bounds = {};                // of the model

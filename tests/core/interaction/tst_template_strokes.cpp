@@ -407,7 +407,7 @@ void TestTemplateStrokes::aDrawingOnASectionIsAGuideForItsHoles()
     desk.interaction.select({plate.id});
     desk.run("template.lay", {{"plane", "section"}});
     desk.run("template.set", {{"size", "60"}});
-    const TemplateGuides guides(desk.session.committed(), plate.frame);
+    const TemplateGuides guides(desk.session.committed(), nullptr, plate.frame);
     QVERIFY(!guides.isEmpty());
     const auto whole = guides.whole(0.0);
     QVERIFY(whole && whole->holes.size() == 1);
@@ -415,7 +415,7 @@ void TestTemplateStrokes::aDrawingOnASectionIsAGuideForItsHoles()
     QVERIFY(std::abs(whole->contour.signedArea() / (std::numbers::pi * 400.0) - 1.0) < 1e-3);
     // Across it there is none.
     const Frame across{plate.frame.origin, plate.frame.x, plate.frame.normal()};
-    QVERIFY(TemplateGuides(desk.session.committed(), across).isEmpty());
+    QVERIFY(TemplateGuides(desk.session.committed(), nullptr, across).isEmpty());
 }
 
 FFF_TEST(TestTemplateStrokes)
