@@ -1946,7 +1946,7 @@
     </message>
     <message>
         <source>Snap</source>
-        <translation>Einrasten</translation>
+        <translation>Fang</translation>
     </message>
     <message>
         <source>P&amp;en</source>
@@ -2182,7 +2182,7 @@
     </message>
     <message>
         <source>Undo</source>
-        <translation>Rückgängig</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -2190,7 +2190,7 @@
     </message>
     <message>
         <source>Redo</source>
-        <translation>Wiederholen</translation>
+        <translation>Vor</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -3055,7 +3055,7 @@
         <translation>Es gibt kein Bild und keine Zeichnung: füge zuerst eines hinzu</translation>
     </message>
     <message>
-        <source>&amp;Template to draw over…</source>
+        <source>Te&amp;mplate to draw over…</source>
         <translation>&amp;Vorlage zum Nachzeichnen …</translation>
     </message>
     <message>
@@ -4635,10 +4635,6 @@
         <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, an der Senkrechten gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite.</translation>
     </message>
     <message>
-        <source>Nothing drawn: the slit never left %1. Start inside and drag across its edge.</source>
-        <translation>Nichts gezeichnet: Der Schlitz hat %1 nie verlassen. Innen beginnen und über den Rand ziehen.</translation>
-    </message>
-    <message>
         <source>Nothing drawn: the line is too short to enclose anything.</source>
         <translation>Nichts gezeichnet: Die Linie ist zu kurz, um etwas zu umschließen.</translation>
     </message>
@@ -5135,6 +5131,10 @@
         <source>Nothing traced: no part of %1 is on that side of the threshold.</source>
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Nichts nachgezeichnet: kein Teil von %1 liegt auf dieser Seite der Schwelle.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the slit never left %1. Start inside and drag across its edge; &lt;kbd&gt;O&lt;/kbd&gt; draws holes, &lt;kbd&gt;E&lt;/kbd&gt; engraves.</source>
+        <translation>Nichts gezeichnet: Der Schlitz hat %1 nie verlassen. Innen beginnen und über den Rand ziehen; &lt;kbd&gt;O&lt;/kbd&gt; zeichnet Löcher, &lt;kbd&gt;E&lt;/kbd&gt; graviert.</translation>
     </message>
 </context>
 <context>
@@ -9482,7 +9482,7 @@
     </message>
     <message>
         <source>Repeat</source>
-        <translation>Vervielfachen</translation>
+        <translation>Reihen</translation>
     </message>
     <message>
         <source>Repeat and blend sections</source>

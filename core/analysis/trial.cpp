@@ -66,11 +66,11 @@ constexpr double kKeptSpare = 0.9;
 /// Nearer to what is graver than anything that is said alike was before.
 bool isNearer(const Finding &finding, std::span<const Finding> before)
 {
-    if (!finding.kind->spare || finding.severity != Severity::Warning)
+    if (!finding.kind->spare || finding.severity < Severity::Warning)
         return false;
     std::optional<double> was;
     for (const Finding &other : before)
-        if (other.is(*finding.kind) && other.severity == Severity::Warning)
+        if (other.is(*finding.kind) && other.severity >= Severity::Warning)
             was = std::min(was.value_or(other.kind->spare(other)), other.kind->spare(other));
     return was && finding.kind->spare(finding) < kKeptSpare * *was;
 }

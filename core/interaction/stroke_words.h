@@ -48,8 +48,9 @@ inline constexpr Text kTakeGuide = FFF_TEXT("Hint", "Shift+Enter: take the whole
 inline constexpr Text kNoGuideAtSlit =
     FFF_TEXT("Hint", "The slit does not touch a guide, so there is none to take whole.");
 // When it is over.
-inline constexpr Text kNeverLeft = FFF_TEXT(
-    "Hint", "Nothing drawn: the slit never left %1. Start inside and drag across its edge.");
+inline constexpr Text kNeverLeft =
+    FFF_TEXT("Hint", "Nothing drawn: the slit never left %1. Start inside and drag across its "
+                     "edge; <kbd>O</kbd> draws holes, <kbd>E</kbd> engraves.");
 inline constexpr Text kTooShort =
     FFF_TEXT("Hint", "Nothing drawn: the line is too short to enclose anything.");
 //: %1 is a length

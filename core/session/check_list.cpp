@@ -54,8 +54,13 @@ void CheckList::take(std::string_view stage)
         keepReport(stage, *why);
     else
         m_failing.erase(stage);
-    // Each place of a drag has joints before it has verdicts: the list follows from those alone.
-    if (stage != kAnalysed.name || why || wasFailing)
+    // Each place of a drag has joints, and what magnets make of templates, before it has verdicts:
+    // the list follows from those, and from what can be done about them, alone.
+    const std::vector<Stage> &all = m_scheduler.stages();
+    const bool isListed = std::any_of(all.begin(), all.end(), [stage](const Stage &one) {
+        return one.name == stage && (one.findings || stage == kMends.name);
+    });
+    if (isListed || why || wasFailing)
         refresh();
 }
 

@@ -142,8 +142,18 @@ void TestDrawing::aSlitIsMovedInBeforeItsOutlineBegins()
         move(from - QPoint(0, 10 * i));
     QTRY_VERIFY(interaction().hasOffer());
     QVERIFY(!interaction().overlay().find<sign::Stroke>());
+    const auto isMovedIn = [this] {
+        const sign::Slit *slit = interaction().overlay().find<sign::Slit>();
+        return slit && interaction()
+                               .camera()
+                               .toScreen(slit->from, Vec2(m_view->width(), m_view->height()))
+                               .x() > middle().x() - 145.0;
+    };
+    QVERIFY(!isMovedIn());
     key(Qt::Key_B);
-    QVERIFY(!interaction().hasOffer());
+    QVERIFY(isMovedIn());
+    key(Qt::Key_B);
+    QVERIFY(!isMovedIn());
     key(Qt::Key_Escape);
     release(m_cursor);
     QCOMPARE(count(), std::size_t(1));

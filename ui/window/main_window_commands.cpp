@@ -32,7 +32,7 @@ constexpr CommandWords kWords[] = {
     {"file.insert", FFF_TEXT("Command", "&Insert model…"), FFF_TEXT("Command", "Insert"),
      "Ctrl+Shift+I", "insert_model",
      FFF_TEXT("Command", "Add the sections of another model to this one")},
-    {"template.addMesh", FFF_TEXT("Command", "&Template to draw over…"),
+    {"template.addMesh", FFF_TEXT("Command", "Te&mplate to draw over…"),
      FFF_TEXT("Command", "Template"), "", "figure_polygon",
      FFF_TEXT("Command", "Read a mesh, a picture or a drawing to draw sections over")},
     {"file.addToLibrary", FFF_TEXT("Command", "Add to the &library"),

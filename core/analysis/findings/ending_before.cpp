@@ -16,7 +16,7 @@ constexpr Text kEndText = FFF_TEXT("Checks", "End one at the other");
 constexpr Text kEndAtText = FFF_TEXT("Checks", "End %1 at %2");
 
 /// So many sections that cross there, and so many ways to end one at another, are tried.
-constexpr std::size_t kMostCrossing = 6, kMostEnds = 24;
+constexpr std::size_t kMostCrossing = 4, kMostEnds = 8;
 
 /// What is wrong where too many sections cross; the less, the better.
 struct Tangle
