@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/findings/doubted_stand.h"
+#include "core/analysis/pulling.h"
 #include "core/session/session.h"
 #include "core/session/set_aside.h"
 
@@ -54,13 +55,11 @@ void CheckList::take(std::string_view stage)
         keepReport(stage, *why);
     else
         m_failing.erase(stage);
-    // Each place of a drag has joints, and what magnets make of templates, before it has verdicts:
-    // the list follows from those, and from what can be done about them, alone.
-    const std::vector<Stage> &all = m_scheduler.stages();
-    const bool isListed = std::any_of(all.begin(), all.end(), [stage](const Stage &one) {
-        return one.name == stage && (one.findings || stage == kMends.name);
-    });
-    if (isListed || why || wasFailing)
+    // Each place of a drag has joints before it has verdicts: the list follows from those alone.
+    // Nor does it from magnets where there are none, unless it waits for the last stage to end.
+    const auto pulled = stage == kPulled.name ? m_scheduler.result(kPulled) : nullptr;
+    const bool isNothing = pulled && pulled->all.empty() && m_failing.empty();
+    if ((stage != kAnalysed.name && !isNothing) || why || wasFailing)
         refresh();
 }
 
