@@ -1,6 +1,7 @@
 #include "core/templates/template_picture.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -41,6 +42,23 @@ bool hasDarkEdge(const GreyPicture &grey, double limit)
 }
 
 } // namespace
+
+TemplatePicture sampledPicture(const TemplatePicture &picture, std::int64_t most)
+{
+    const auto step = std::max(
+        1, static_cast<int>(std::ceil(std::sqrt(double(picture.pixels()) / double(most)))));
+    TemplatePicture sampled;
+    sampled.width = (picture.width + step - 1) / step;
+    sampled.height = (picture.height + step - 1) / step;
+    sampled.isOpaque = picture.isOpaque;
+    sampled.rgba.reserve(static_cast<std::size_t>(4 * sampled.pixels()));
+    for (int y = 0; y < picture.height; y += step)
+        for (int x = 0; x < picture.width; x += step) {
+            const auto at = picture.rgba.begin() + 4 * (std::int64_t(y) * picture.width + x);
+            sampled.rgba.insert(sampled.rgba.end(), at, at + 4);
+        }
+    return sampled;
+}
 
 GreyPicture greyOf(const TemplatePicture &picture, TraceBy by)
 {

@@ -24,6 +24,10 @@ struct TemplatePicture
     std::int64_t pixels() const { return std::int64_t(width) * height; }
 };
 
+/// Every so many-th pixel of every so many-th row, so that there are at most about that many:
+/// enough for a look at its tones while a person waits.
+TemplatePicture sampledPicture(const TemplatePicture &picture, std::int64_t most);
+
 /// What of a picture is traced.
 enum class TraceBy {
     Darkness, // as seen on white paper

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kPercentField = 72, kFlatGap = 6; // px
 constexpr double kAll = 100.0;
+constexpr std::int64_t kSampled = 250'000; // px that are looked at for a threshold
 constexpr NumberEdit::Range kFlatTurn{-360.0, 360.0, 1.0, 0, 2};
 
 } // namespace
@@ -153,7 +154,8 @@ void FlatGroup::refresh()
         row->setVisible(one->picture != nullptr);
     if (one->picture && one->picture.get() != m_shown) {
         m_shown = one->picture.get();
-        m_threshold = static_cast<int>(std::lround(kAll * thresholdOf(*one->picture, {})));
+        const TemplatePicture sampled = sampledPicture(*one->picture, kSampled);
+        m_threshold = static_cast<int>(std::lround(kAll * thresholdOf(sampled, {})));
         m_thresholdField->setNumber(m_threshold);
     }
     if (const auto world = worldFrame(*one, m_bench.session().model()))

@@ -85,10 +85,13 @@ QImage imageOf(const SceneFlat &flat, int most)
     if (flat.curves)
         return linesOf(*flat.curves, std::min(most, kLinesAcross));
     const TemplatePicture &picture = *flat.picture;
-    const QImage image(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
-                       QImage::Format_RGBA8888);
+    QImage image(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+                 QImage::Format_RGBA8888);
     if (std::max(picture.width, picture.height) <= most)
         return image.copy();
+    // The window waits for it: of the largest not every pixel is looked at.
+    if (std::max(picture.width, picture.height) > 2 * most)
+        image = image.scaled(2 * most, 2 * most, Qt::KeepAspectRatio, Qt::FastTransformation);
     return image.scaled(most, most, Qt::KeepAspectRatio, Qt::SmoothTransformation)
         .convertToFormat(QImage::Format_RGBA8888);
 }
@@ -118,7 +121,7 @@ FlatPainter::~FlatPainter()
 
 GLuint FlatPainter::upload(const SceneFlat &flat)
 {
-    constexpr int kMostAcross = 4096; // px: on the screen no more is seen of it
+    constexpr int kMostAcross = 2048; // px: on the screen no more is seen of it
     GLint most = kMostAcross;
     m_gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     const QImage image = imageOf(flat, std::min(most, kMostAcross));

@@ -2,6 +2,7 @@
 
 #include "core/analysis/findings/broader_base.h"
 #include "core/analysis/findings/connection.h"
+#include "core/analysis/findings/ending_before.h"
 #include "core/analysis/findings/in_each_other.h"
 #include "core/analysis/findings/joining.h"
 #include "core/analysis/findings/loose_joints.h"
@@ -200,6 +201,7 @@ constexpr BrokenKind kBroken[] = {
     {"move the slit", &kMoveSlit, &kThinWeb, nearAnEdge},
     {"cut less deep", &kCutLessDeep, &kThinWeb, deepSlit},
     {"turn slits round, loose parts", &kTurnSlits, &kLoosePieces, slitThroughModel},
+    {"end one at the other, loose parts", &kEndBefore, &kLoosePieces, slitThroughModel},
     {"turn slits round, pulled open", &kTurnPulledSlits, &kPulledOpen, pulledModel},
     {"stretch to the ground", &kStretchToGround, &kTopples, onShortLegs},
     {"drop, above", &kDropToGround, &kNoContact, offTheGround},

@@ -8,6 +8,7 @@
 #include "core/templates/template_picture.h"
 #include "tests/test_program.h"
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -72,6 +73,7 @@ class TestFlatTemplate : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void sampledHasTheSameTones();
     void standardPlanes();
     void onASection();
     void turningIsAboutTheMiddle();
@@ -284,6 +286,27 @@ void TestFlatTemplate::greysOfColours()
     QCOMPARE(dark.grey, (std::vector<std::uint8_t>{0, 255, 255, 127}));
     const GreyPicture opaque = greyOf(picture, TraceBy::Opacity);
     QCOMPARE(opaque.grey, (std::vector<std::uint8_t>{0, 0, 255, 127}));
+}
+
+// Wrong: the threshold that is offered for a large picture, which is looked at in part, is another
+// one than that of all of it.
+void TestFlatTemplate::sampledHasTheSameTones()
+{
+    const TemplatePicturePointer all = drawn(403, 301, 50, 60, 250, 200);
+    for (const std::int64_t most : {1'000'000LL, 121'303LL, 30'000LL, 5'000LL}) {
+        const TemplatePicture some = sampledPicture(*all, most);
+        QCOMPARE(some.rgba.size(), static_cast<std::size_t>(4 * some.pixels()));
+        QVERIFY(some.pixels() <= most + some.width + some.height + 1);
+        if (most >= all->pixels())
+            QVERIFY(some.rgba == all->rgba);
+        const auto dark = [](const TemplatePicture &picture) {
+            std::int64_t count = 0;
+            for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+                count += picture.rgba[i] == 0;
+            return double(count) / double(picture.pixels());
+        };
+        QVERIFY2(std::abs(dark(some) - dark(*all)) < 0.01, qPrintable(QString::number(most)));
+    }
 }
 
 FFF_TEST(TestFlatTemplate)
