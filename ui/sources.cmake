@@ -113,6 +113,7 @@ target_sources(fff_ui PRIVATE
     properties/instance_group.cpp
     properties/joint_rows.cpp
     properties/joint_words.cpp
+    properties/kept_number.cpp
     properties/length_edit.cpp
     properties/load_presets.cpp
     properties/link_row.cpp

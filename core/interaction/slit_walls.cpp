@@ -149,12 +149,13 @@ bool isWellMovedIn(const Document &drawn, const Document &moved, SectionId guest
     for (const Slit &slit : pair->assembly.slits[0])
         if ((slit.mouth - slit.inner).norm() > most)
             return false;
-    const auto found = [](const Document &document) {
-        AnalysisCaches analysed;
-        CheckCaches caches;
+    AnalysisCaches analysed; // the two differ in one section
+    CheckCaches caches;
+    const auto found = [&](const Document &document) {
         return checks(*analyseNext(evaluate(document), analysed), caches, {}, {}, kWholeness);
     };
-    return isNoWorse(found(drawn), found(moved));
+    const std::vector<Finding> before = found(drawn);
+    return isNoWorse(before, found(moved));
 }
 
 } // namespace fff

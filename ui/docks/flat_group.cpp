@@ -3,8 +3,7 @@
 #include "core/base/units.h"
 #include "core/interaction/template_drawing.h"
 #include "ui/bench/workbench.h"
-#include "ui/properties/property_rows.h"
-#include "ui/properties/slider_field.h"
+#include "ui/properties/kept_number.h"
 
 #include <QGridLayout>
 #include <QPushButton>
@@ -17,7 +16,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kPercentField = 72, kFlatGap = 6; // px
+constexpr int kFlatGap = 6; // px
 constexpr double kAll = 100.0;
 constexpr std::int64_t kSampled = 250'000; // px that are looked at for a threshold
 constexpr NumberEdit::Range kFlatTurn{-360.0, 360.0, 1.0, 0, 2};
@@ -104,20 +103,12 @@ void FlatGroup::addTrace()
 SliderField *FlatGroup::percent(PropertyGroup *group, const QString &name, const char *id,
                                 int *kept, const QString &tip)
 {
-    auto *field = new NumberEdit({0.0, kAll, 1.0, 0, 0}, QStringLiteral("%"));
-    field->setFixedWidth(kPercentField);
-    auto *slider = new SliderField({0.0, kAll, 1.0, 2}, field, group);
-    slider->setNames((QByteArray(id) + "Slider").constData(),
-                     (QByteArray(id) + ".field").constData());
-    slider->setNumber(*kept);
-    const auto keep = [kept](double value) { *kept = static_cast<int>(std::lround(value)); };
-    connect(slider, &SliderField::dragged, this, keep);
-    connect(slider, &SliderField::settled, this, keep);
-    auto *row = new EditorRow(name, id, slider, {}, group);
-    row->setToolTip(tip);
-    group->add(row);
-    m_ofPictures.push_back(row);
-    return slider;
+    constexpr int kAllOfIt = 100;
+    const KeptNumber number =
+        addKeptNumber(*group, name, id, {0, kAllOfIt, kAllOfIt, QStringLiteral("%"), 2}, kept);
+    number.row->setToolTip(tip);
+    m_ofPictures.push_back(number.row);
+    return number.field;
 }
 
 void FlatGroup::addButtons(PropertyGroup *group,

@@ -2,21 +2,19 @@
 
 #include "core/analysis/facetted.h"
 #include "core/analysis/suggesting/suggestion.h"
-#include "ui/properties/property_rows.h"
-#include "ui/properties/slider_field.h"
+#include "ui/properties/kept_number.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <cmath>
 #include <initializer_list>
 
 namespace fff::ui {
 
 namespace {
 
-constexpr int kNumberField = 72, kButtonGap = 6; // px
+constexpr int kButtonGap = 6; // px
 constexpr int kSuggestedSlid = 40, kFacesSlid = 200;
 
 void addButtons(PropertyGroup *group, std::initializer_list<QWidget *> buttons)
@@ -35,8 +33,9 @@ void addButtons(PropertyGroup *group, std::initializer_list<QWidget *> buttons)
 MakingGroup::MakingGroup(QWidget *parent) : QWidget(parent)
 {
     auto *sections = new PropertyGroup(tr("Suggest sections"), this);
-    SliderField *count = number(sections, tr("How many"), "suggestCount",
-                                {1, kSuggestedSlid, kMostSuggested}, &m_count);
+    SliderField *count = addKeptNumber(*sections, tr("How many"), "suggestCount",
+                                       {1, kSuggestedSlid, kMostSuggested}, &m_count)
+                             .field;
     QPushButton *suggest =
         button(tr("Suggest"), "suggestSections",
                tr("Finds sections that show its form, hold each other and stand"));
@@ -57,8 +56,9 @@ MakingGroup::MakingGroup(QWidget *parent) : QWidget(parent)
     addButtons(sections, {suggest, others});
 
     auto *sheets = new PropertyGroup(tr("Facets"), this);
-    SliderField *faces = number(sheets, tr("Faces"), "facetFaces",
-                                {int(kFewestFaces), kFacesSlid, int(kMostFacets)}, &m_faces);
+    SliderField *faces = addKeptNumber(*sheets, tr("Faces"), "facetFaces",
+                                       {int(kFewestFaces), kFacesSlid, int(kMostFacets)}, &m_faces)
+                             .field;
     QPushButton *facets =
         button(tr("Make facets"), "makeFacets",
                tr("Builds it of flat sheets with fingers along their edges. The mesh is simplified "
@@ -86,24 +86,6 @@ QPushButton *MakingGroup::button(const QString &text, const char *name, const QS
     made->setToolTip(tip);
     made->setAutoDefault(false);
     return made;
-}
-
-SliderField *MakingGroup::number(PropertyGroup *group, const QString &name, const char *id,
-                                 const Numbers &numbers, int *kept)
-{
-    auto *field =
-        new NumberEdit({double(numbers.least), double(numbers.most), 1.0, 0, 0}, QString());
-    field->setFixedWidth(kNumberField);
-    auto *slider =
-        new SliderField({double(numbers.least), double(numbers.slid), 1.0, 4}, field, group);
-    slider->setNames((QByteArray(id) + "Slider").constData(),
-                     (QByteArray(id) + ".field").constData());
-    slider->setNumber(*kept);
-    const auto keep = [kept](double value) { *kept = static_cast<int>(std::lround(value)); };
-    connect(slider, &SliderField::dragged, this, keep);
-    connect(slider, &SliderField::settled, this, keep);
-    group->add(new EditorRow(name, id, slider, {}, group));
-    return slider;
 }
 
 void MakingGroup::refresh(bool hasSections, bool hasLast)

@@ -7,9 +7,6 @@ class QPushButton;
 
 namespace fff::ui {
 
-class PropertyGroup;
-class SliderField;
-
 class MakingGroup : public QWidget
 {
     Q_OBJECT
@@ -28,12 +25,6 @@ Q_SIGNALS:
 
 private:
     QPushButton *button(const QString &text, const char *name, const QString &tip);
-    struct Numbers
-    {
-        int least, slid, most; // of the field; its slider ends at the one between
-    };
-    SliderField *number(PropertyGroup *group, const QString &name, const char *id,
-                        const Numbers &numbers, int *kept);
 
     int m_count = 8, m_faces = 60;
     QPushButton *m_more = nullptr, *m_another = nullptr;

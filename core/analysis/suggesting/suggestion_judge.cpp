@@ -44,7 +44,7 @@ SuggestionJudge::SuggestionJudge(Document document, std::stop_token stop)
         m_before = faultsOf(m_document).value_or(Faults());
     m_before.groups = std::max<std::size_t>(m_before.groups, 1);
     for (const SectionPointer &section : m_document.sections)
-        m_own.insert(section->id);
+        m_thereBefore.insert(section->id);
 }
 
 std::optional<SuggestionJudge::Faults> SuggestionJudge::faultsOf(const Document &document)
@@ -185,7 +185,8 @@ Document SuggestionJudge::withTurned(const std::vector<JointRef> &joints) const
     Document next = m_document;
     for (const JointRef &joint : joints) {
         const std::optional<JointState> state = jointState(model, joint);
-        const bool isNew = !m_own.contains(joint.a.drawn) || !m_own.contains(joint.b.drawn);
+        const bool isNew =
+            !m_thereBefore.contains(joint.a.drawn) || !m_thereBefore.contains(joint.b.drawn);
         if (isNew && state && state->canFlip)
             next = setJointOverride(std::move(next), flipped(model, *state)).value_or(next);
     }

@@ -63,7 +63,7 @@ private:
     Document withTurned(const std::vector<JointRef> &joints) const;
 
     Document m_document;
-    std::set<SectionId> m_own; // sections that were there before
+    std::set<SectionId> m_thereBefore; // sections that were there before
     Faults m_before;
     std::stop_token m_stop;
     AnalysisCaches m_analysis;
