@@ -46,12 +46,12 @@ constexpr double kNub = 2.5, kNubTurn = 0.7;
 /// Tolerances within which ends are in one place.
 constexpr double kTogether = 0.25;
 
-/// Where the line turns back near its end, that it goes back from there; none where it does not.
-std::optional<double> hookAtEnd(const LineWay &way, const KeptStretch &kept, double tolerance)
+/// The sample where the line turns back near its end; none where it does not.
+std::optional<std::size_t> hookAtEnd(const LineWay &way, const KeptStretch &kept, double tolerance)
 {
     const double longest = std::min(kLongestHook * tolerance, kMostCut * kept.length());
     const double over = kHookWay * tolerance;
-    std::optional<double> base;
+    std::optional<std::size_t> base;
     double sharpest = kHookTurn;
     for (std::size_t i = way.edgeAt(kept.to) + 1; i-- > 1;) {
         const double s = way.along(i);
@@ -67,13 +67,13 @@ std::optional<double> hookAtEnd(const LineWay &way, const KeptStretch &kept, dou
         if (turn <= sharpest)
             continue;
         sharpest = turn;
-        base = s;
+        base = i;
     }
     return base;
 }
 
-std::optional<double> hookAtStart(const std::vector<Vec2> &points, const LineWay &way,
-                                  const KeptStretch &kept, double tolerance)
+std::optional<std::size_t> hookAtStart(const std::vector<Vec2> &points, const LineWay &way,
+                                       const KeptStretch &kept, double tolerance)
 {
     const std::vector<Vec2> back(points.rbegin(), points.rend());
     const LineWay reversed(back);
@@ -81,7 +81,7 @@ std::optional<double> hookAtStart(const std::vector<Vec2> &points, const LineWay
         hookAtEnd(reversed, {way.length() - kept.to, way.length() - kept.from}, tolerance);
     if (!base)
         return {};
-    return way.length() - *base;
+    return points.size() - 1 - *base;
 }
 
 class MeetingEnds
@@ -122,11 +122,11 @@ private:
     void dropHooks()
     {
         if (const auto base = hookAtEnd(m_way, m_kept, m_tolerance))
-            if ((m_way.at(*base) - start()).norm() < gap().norm())
-                m_kept.to = *base;
+            if ((m_way.point(*base) - start()).norm() < gap().norm())
+                m_kept.to = m_way.along(*base);
         if (const auto base = hookAtStart(m_points, m_way, m_kept, m_tolerance))
-            if ((m_way.at(*base) - end()).norm() < gap().norm())
-                m_kept.from = *base;
+            if ((m_way.point(*base) - end()).norm() < gap().norm())
+                m_kept.from = m_way.along(*base);
     }
 
     /// What lies beyond where the ends cross, or come nearest to each other.
@@ -309,9 +309,9 @@ WithoutHooks withoutHooks(const std::vector<Vec2> &samples, double tolerance)
     if (way.length() < kLeastLength * tolerance)
         return result;
     if (const auto base = hookAtEnd(way, all, tolerance))
-        result.to = way.edgeAt(*base);
+        result.to = *base;
     if (const auto base = hookAtStart(samples, way, all, tolerance))
-        result.from = std::min(way.edgeAt(*base), result.to);
+        result.from = std::min(*base, result.to);
     return result;
 }
 

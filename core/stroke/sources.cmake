@@ -16,6 +16,7 @@ target_sources(fff_core PRIVATE
     stroke/stroke.cpp
     stroke/stroke_contour.cpp
     stroke/symmetry.cpp
+    stroke/symmetry_verdict.cpp
     stroke/thinned_line.cpp
     stroke/twitch.cpp
 )

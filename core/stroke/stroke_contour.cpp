@@ -22,6 +22,8 @@ using Refusal = StrokeContour::Refusal;
 
 /// What is smaller than this many tolerances is a slip of the hand, not a shape.
 constexpr double kSmallestExtent = 3.0;
+/// A loop that is drawn smaller than so many tolerances is one, too.
+constexpr double kSmallestDrawn = 4.0;
 /// What is smaller than this many tolerances is fitted as if it were that large; to this part of
 /// the tolerance at least, which is what a pixel is good for.
 constexpr double kSmallCorner = 0.85; // radians
@@ -206,7 +208,7 @@ void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, doubl
                  const StrokeContourOptions &options, StrokeContour &stroke)
 {
     if (options.axis)
-        stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
+        stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio, tolerance);
     if (options.guides) {
         stroke.guided = guided(meant.points(), freePoints(meant, options.free), *options.guides);
         stroke.work += kGuidedWork * meant.points().size();
@@ -263,7 +265,7 @@ StrokeContour strokeContour(const std::vector<Vec2> &samples, const MeantLine &m
     const Box2 drawn = bounds(samples);
     const double extent = drawn.isEmpty() ? 0.0 : drawn.size().maxCoeff();
     // Joins to the axis would make something even of a slip of the hand.
-    const bool isDot = extent < kSmallestExtent * options.tolerance;
+    const bool isDot = extent < kSmallestDrawn * options.tolerance;
     if (isDot || isTwitch(samples)) {
         if (!isDot)
             stroke.refusal = Refusal::Twitch;

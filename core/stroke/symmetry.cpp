@@ -24,8 +24,6 @@ namespace {
 constexpr double kTipAngle = std::numbers::pi / 4.0;
 /// An end that heads for the axis at less than this will not reach it soon: it gets a join, no tip.
 constexpr double kLeastTipAngle = 0.17;
-/// Rounding of the two distances that are compared, as a part of them.
-constexpr double kRatioRounding = 1e-12;
 /// Ends nearer to each other than this part of the stroke's largest distance close it.
 constexpr double kClosingGap = 0.15;
 /// A join lands no further along the axis than so many times its height: an end that heads away
@@ -170,6 +168,38 @@ bool isWider(const Line &a, const Line &b, double by)
     return lowA < lowB - by || highA > highB + by;
 }
 
+/// Of a stroke's length, how much a hand curls on beside the axis at an end.
+constexpr double kMostCurl = 0.12;
+
+/// The point of the last stretch that is nearest to the axis, if that is within `reach` of it and
+/// the end is not any more: what comes after it is a curl of the hand. Else the last one.
+std::size_t withoutCurlAtEnd(const Line &line, double reach)
+{
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += (line[i + 1] - line[i]).norm();
+    const std::size_t last = line.size() - 1;
+    std::size_t lowest = last;
+    double way = 0.0;
+    for (std::size_t i = last; i > 0 && way <= kMostCurl * length; --i) {
+        if (line[i].y() < line[lowest].y())
+            lowest = i;
+        way += (line[i] - line[i - 1]).norm();
+    }
+    const bool isCurl = line[lowest].y() <= reach && line[last].y() > reach;
+    return isCurl ? lowest : last;
+}
+
+/// A half over the axis without what is curled at its ends.
+Line withoutCurls(Line line, double reach)
+{
+    for (int end = 0; end < 2; ++end) {
+        line.resize(withoutCurlAtEnd(line, reach) + 1);
+        std::reverse(line.begin(), line.end());
+    }
+    return line;
+}
+
 /// The part of the stroke that is the half, in local coordinates.
 struct HalfLine
 {
@@ -202,7 +232,7 @@ HalfLine halfLine(Line line, double tolerance, double largest)
     double dropped = -areaOverAxis(*best);
     for (const Line &run : runs)
         dropped += areaOverAxis(run);
-    HalfLine half{*best, dropped > tolerance * largest};
+    HalfLine half{isClosed ? *best : withoutCurls(*best, reach), dropped > tolerance * largest};
     if (std::max(half.line.front().y(), half.line.back().y()) <= reach) {
         Line opened = openedAtAxis(half.line, reach);
         if (isWider(opened, half.line, kAlongAxis * reach) ||
@@ -366,25 +396,6 @@ std::vector<FittedPiece> settledIn(const Line &half, const Line &samples, const 
 }
 
 } // namespace
-
-SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis &axis,
-                              double ratio)
-{
-    SymmetryVerdict verdict;
-    const Vec2 normal = perpendicular(axis.direction);
-    for (const Vec2 &p : samples) {
-        if (!isUsable(p))
-            continue;
-        const double height = normal.dot(p - axis.point);
-        verdict.left = std::max(verdict.left, height);
-        verdict.right = std::max(verdict.right, -height);
-    }
-    const double larger = std::max(verdict.left, verdict.right);
-    const double smaller = std::min(verdict.left, verdict.right);
-    verdict.limit = larger / ratio;
-    verdict.isOneSided = larger > kClipGrid && larger * (1.0 + kRatioRounding) >= ratio * smaller;
-    return verdict;
-}
 
 std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const MirrorAxis &axis,
                                          const SymmetryVerdict &verdict, double tolerance)

@@ -24,8 +24,12 @@ struct SymmetryVerdict
 };
 
 /// Samples that are not finite are left out. A stroke on the axis is on no side of it.
+///
+/// What the ends of an open stroke draw past the axis, as a hand does that stops late, is no second
+/// side, unless it is long, comes back or begins to close the outline; nor are hooks there.
+/// tolerance: of the fit, mm
 SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis &axis,
-                              double ratio = kMirrorRatio);
+                              double ratio = kMirrorRatio, double tolerance = 0.0);
 
 /// One half of a mirrored contour. The chain of opening, fitted and closing starts and ends on the
 /// axis; it and its mirror image enclose the section.

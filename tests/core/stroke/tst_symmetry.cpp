@@ -6,6 +6,7 @@
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/samples.h"
 #include "tests/core/geometry/turns.h"
+#include "tests/core/stroke/sloppy_hand.h"
 #include "tests/test_program.h"
 
 #include <cmath>
@@ -69,6 +70,39 @@ bool crossesItself(const Contour &contour)
     return !resolved || resolved->wasCrossing;
 }
 
+/// Half a disc of 100 px about the origin, on the left of the x axis, and what a hand does at its
+/// end: px that it goes on straight, past the axis, and then back, or round.
+struct HastyEnd
+{
+    const char *name;
+    double on = 0.0;   // past the axis straight on; negative: stops short of it
+    double back = 0.0; // then, turned by `turn` radians
+    double turn = 0.0;
+    double curl = 0.0; // then, the radius of most of a circle; negative: to the other side
+};
+
+constexpr double kDisc = 100.0, kPixels = 2.0; // px: of the radius, and the tolerance
+
+Samples halfDisc(const HastyEnd &end, double shake, unsigned seed, bool isBackwards)
+{
+    SloppyHand hand(4.0, shake, seed);
+    const Outline disc = roundOutline(kDisc, kDisc);
+    const double half = kPi * kDisc, down = -kPi / 2.0;
+    hand.along(disc, 0.0, half + std::min(end.on, 0.0));
+    if (end.on > 0.0)
+        hand.by(end.on, down);
+    if (end.back > 0.0)
+        hand.by(end.back, down + end.turn);
+    constexpr int kSteps = 10;
+    const double sense = end.curl < 0.0 ? -1.0 : 1.0, step = 1.6 * kPi / kSteps;
+    for (int i = 0; i < kSteps && end.curl != 0.0; ++i)
+        hand.by(std::abs(end.curl) * step, down + sense * (i + 0.5) * step);
+    Samples samples = hand.samples();
+    if (isBackwards)
+        std::reverse(samples.begin(), samples.end());
+    return samples;
+}
+
 } // namespace
 
 class TestSymmetry : public QObject
@@ -85,6 +119,10 @@ private Q_SLOTS:
     void tipsStaySharp();
     void staysOnTheStroke();
     void strayEndsAreCutOff();
+    void endsInHaste_data();
+    void endsInHaste();
+    void theOtherSideIsMeantWhereAnEndGoesOn_data();
+    void theOtherSideIsMeantWhereAnEndGoesOn();
     void severalCrossingsKeepTheLargestHalf();
     void closedBesideTheAxisGetsANeck();
     void sideAlongTheAxisIsLeftOut();
@@ -237,6 +275,69 @@ void TestSymmetry::strayEndsAreCutOff()
     QVERIFY(std::abs(stroke.fitted.front().p0.y()) < 1e-12);
     QVERIFY(std::abs(stroke.fitted.back().p3.y()) < 1e-12);
     QVERIFY(std::abs(std::abs(stroke.contour->signedArea()) - kPi * 50.0 * 30.0) < 60.0);
+}
+
+void TestSymmetry::endsInHaste_data()
+{
+    constexpr HastyEnd kEnds[] = {{"at the axis"},
+                                  {"6 px short", -6.0},
+                                  {"12 px short", -12.0},
+                                  {"8 px too far", 8.0},
+                                  {"17 px too far", 17.0},
+                                  {"25 px too far", 25.0},
+                                  {"10 px too far, hooked back", 10.0, 12.0, 2.6},
+                                  {"6 px too far, hooked out", 6.0, 12.0, -2.2},
+                                  {"a curl inwards", 3.0, 0.0, 0.0, 5.0},
+                                  {"a curl outwards", 3.0, 0.0, 0.0, -5.0}};
+    QTest::addColumn<HastyEnd>("end");
+    QTest::addColumn<double>("shake");
+    for (const HastyEnd &end : kEnds)
+        for (const double shake : {0.0, 0.3, 0.6, 1.0, 1.3, 1.6, 2.0})
+            QTest::addRow("%s, tremble %.1f px", end.name, shake) << end << shake;
+}
+
+/// Half of a disc gives all of it, however hastily the hand stops.
+void TestSymmetry::endsInHaste()
+{
+    QFETCH(HastyEnd, end);
+    QFETCH(double, shake);
+    for (const unsigned seed : {3U, 7U, 11U})
+        for (const bool isBackwards : {false, true}) {
+            const StrokeContour stroke =
+                strokeContour(halfDisc(end, shake, seed, isBackwards),
+                              {.tolerance = kPixels, .axis = MirrorAxis()});
+            QVERIFY(stroke.isMirrored && stroke.contour);
+            const Vec2 size = bounds(stroke.contour->flatten(0.1).points).size();
+            const double area = std::abs(stroke.contour->signedArea());
+            const QByteArray got = QByteArray::number(size.x()) + " × " +
+                                   QByteArray::number(size.y()) + ", " +
+                                   QByteArray::number(area / (kPi * kDisc * kDisc));
+            QVERIFY2(std::abs(size.x() - 2.0 * kDisc) <= 8.0, got);
+            QVERIFY2(std::abs(size.y() - 2.0 * kDisc) <= 8.0, got);
+            QVERIFY2(std::abs(area / (kPi * kDisc * kDisc) - 1.0) <= 0.05, got);
+        }
+}
+
+void TestSymmetry::theOtherSideIsMeantWhereAnEndGoesOn_data()
+{
+    QTest::addColumn<Samples>("samples");
+    QTest::newRow("most of a circle") << arc(0.0, 1.7 * kPi, 50.0, 50.0);
+    QTest::newRow("an end that closes it") << arc(-0.15 * kPi, 1.15 * kPi, 50.0, 50.0);
+    QTest::newRow("back to the axis") << bumps(59.0, 10.0);
+    QTest::newRow("a long end") << lines({{50, 0}, {50, 40}, {-50, 40}, {-50, -45}}, 1.0);
+    QTest::newRow("an S") << lines({{0, 0}, {0, 40}, {40, 40}, {40, -40}, {80, -40}, {80, 0}}, 1.0);
+    QTest::newRow("between two bumps") << lines(
+        {{0, 0}, {0, 40}, {30, 40}, {30, -12}, {50, -12}, {50, 40}, {80, 40}, {80, 0}}, 1.0);
+}
+
+void TestSymmetry::theOtherSideIsMeantWhereAnEndGoesOn()
+{
+    QFETCH(Samples, samples);
+    for (const bool isBackwards : {false, true}) {
+        QVERIFY(!judgeSymmetry(samples, {}, kMirrorRatio, kTolerance).isOneSided);
+        if (!isBackwards)
+            std::reverse(samples.begin(), samples.end());
+    }
 }
 
 void TestSymmetry::severalCrossingsKeepTheLargestHalf()

@@ -1,0 +1,135 @@
+#include "core/base/tolerances.h"
+#include "core/stroke/line_ends.h"
+#include "core/stroke/symmetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+/// Rounding of the two distances that are compared, as a part of them.
+constexpr double kRatioRounding = 1e-12;
+/// What a hand draws past the axis at the stroke's ends before it stops: of the stroke's length,
+/// both ends together, and of how far it reaches on the other side, at most.
+constexpr double kMostPast = 0.2, kDeepestPast = 0.5;
+/// An end that has come back from there by more than this part of how deep it was goes on.
+constexpr double kComesBack = 0.3;
+/// Ends past the axis that come nearer to each other than this part of how far they are apart on
+/// it begin to close the outline.
+constexpr double kClosesIn = 0.6;
+
+/// A stroke over its axis: how high each of its samples is, on the side that it reaches farther on.
+class StrokeOverAxis
+{
+public:
+    /// sign: of that side
+    StrokeOverAxis(const std::vector<Vec2> &samples, const MirrorAxis &axis, double sign)
+        : m_samples(samples), m_axis(axis), m_up(sign * perpendicular(axis.direction))
+    {
+    }
+
+    double height(std::size_t i) const { return m_up.dot(m_samples[i] - m_axis.point); }
+    double along(std::size_t i) const { return m_axis.direction.dot(m_samples[i] - m_axis.point); }
+
+    /// How deep the stroke goes on the other side if what its ends, within `kept`, draw there
+    /// counts for nothing; nothing where it counts. limit: what is as low is near the axis
+    std::optional<double> depthWithoutEnds(const WithoutHooks &kept, double largest,
+                                           double limit) const
+    {
+        std::size_t first = kept.from, last = kept.to;
+        while (first < last && !(height(first) > limit))
+            ++first;
+        while (last > first && !(height(last) > limit))
+            --last;
+        if (first == last)
+            return {};
+        // On from there to where it crosses the axis.
+        while (first > kept.from && height(first) > 0.0)
+            --first;
+        while (last < kept.to && height(last) > 0.0)
+            ++last;
+        const double past = lengthOf(kept.from, first) + lengthOf(last, kept.to);
+        if (past > kMostPast * lengthOf(kept.from, kept.to) ||
+            !isEnd(first, kept.from, largest, limit) || !isEnd(last, kept.to, largest, limit) ||
+            doEndsClose(kept, first, last))
+            return {};
+        double depth = 0.0;
+        for (std::size_t i = first + 1; i < last; ++i)
+            depth = std::max(depth, -height(i));
+        return depth;
+    }
+
+private:
+    double lengthOf(std::size_t from, std::size_t to) const
+    {
+        double length = 0.0;
+        for (std::size_t i = from; i < to; ++i)
+            length += (m_samples[i + 1] - m_samples[i]).norm();
+        return length;
+    }
+
+    /// Whether what lies between where the stroke crosses the axis and its end is no more than an
+    /// end: near the axis, or not deep and not on its way back.
+    bool isEnd(std::size_t crossing, std::size_t end, double largest, double limit) const
+    {
+        double depth = 0.0;
+        const auto [from, to] = std::minmax(crossing, end);
+        for (std::size_t i = from; i <= to; ++i)
+            depth = std::max(depth, -height(i));
+        return depth <= limit ||
+               (depth <= kDeepestPast * largest && -height(end) >= (1.0 - kComesBack) * depth);
+    }
+
+    bool doEndsClose(const WithoutHooks &kept, std::size_t first, std::size_t last) const
+    {
+        return (m_samples[kept.from] - m_samples[kept.to]).norm() <
+               kClosesIn * std::abs(along(first) - along(last));
+    }
+
+    const std::vector<Vec2> &m_samples;
+    MirrorAxis m_axis;
+    Vec2 m_up;
+};
+
+} // namespace
+
+SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis &axis,
+                              double ratio, double tolerance)
+{
+    SymmetryVerdict verdict;
+    const Vec2 normal = perpendicular(axis.direction);
+    bool isAllUsable = true;
+    for (const Vec2 &p : samples) {
+        if (!(p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate)) {
+            isAllUsable = false;
+            continue;
+        }
+        const double height = normal.dot(p - axis.point);
+        verdict.left = std::max(verdict.left, height);
+        verdict.right = std::max(verdict.right, -height);
+    }
+    const auto isOneSided = [&](double larger, double smaller) {
+        return larger > kClipGrid && larger * (1.0 + kRatioRounding) >= ratio * smaller;
+    };
+    const double larger = std::max(verdict.left, verdict.right);
+    double &smaller = verdict.isLeft() ? verdict.right : verdict.left;
+    verdict.limit = larger / ratio;
+    verdict.isOneSided = isOneSided(larger, smaller);
+    if (verdict.isOneSided || !isAllUsable || samples.size() < 4)
+        return verdict;
+    const StrokeOverAxis stroke(samples, axis, verdict.isLeft() ? 1.0 : -1.0);
+    const auto depth =
+        stroke.depthWithoutEnds(withoutHooks(samples, tolerance), larger, verdict.limit);
+    if (depth && isOneSided(larger, *depth)) {
+        smaller = *depth;
+        verdict.isOneSided = true;
+    }
+    return verdict;
+}
+
+} // namespace fff
