@@ -1,8 +1,31 @@
+#include "core/assembly/joint_editing.h"
 #include "core/interaction/offer_words.h"
 #include "core/interaction/stroke_gesture.h"
 #include "core/interaction/stroke_words.h"
+#include "core/operations/evaluate.h"
 
 namespace fff {
+
+namespace {
+
+/// The document, the slit of the section that was drawn on opening where the stroke left it: of two
+/// that go all through each other nothing else says from which side one slides in. way: world
+Document openedTowards(Document document, const Model &before, const SectionRef &ground,
+                       const Vec3 &way, const SectionRef &drawn)
+{
+    const Model model = evaluate(document, before);
+    const JointRef joint(ground, drawn);
+    const auto state = jointState(model, joint);
+    if (!state || !state->canFlip)
+        return document;
+    const Vec3 opening = joint.b == ground ? state->openingOfB() : Vec3(-state->openingOfB());
+    if (opening.dot(way) >= 0.0)
+        return document;
+    const JointEdit flipped = flipSlits(model, joint);
+    return flipped ? flipped->document : document;
+}
+
+} // namespace
 
 // What a stroke has to do with templates: their guides on the plane that it draws on.
 
@@ -56,7 +79,14 @@ GestureReply StrokeGesture::takeGuide(GestureContext &context)
         return reply;
     }
     reply.note = std::move((*m_drawn)->note);
-    reply.commit = {std::move((*m_drawn)->step), std::move((*m_drawn)->document)};
+    Document drawn = std::move((*m_drawn)->document);
+    if (hasSlit) {
+        const Frame &ground = m_ground->section->frame;
+        const Vec3 way = ground.directionToWorld(m_stroke.slitTo() - m_stroke.slitFrom());
+        drawn =
+            openedTowards(std::move(drawn), context.model, m_ground->ref, way, (*m_drawn)->section);
+    }
+    reply.commit = {std::move((*m_drawn)->step), std::move(drawn)};
     if (m_quick)
         reply.settling = {m_quick->ended(context.viewport), m_quick->end() - m_now};
     return reply;

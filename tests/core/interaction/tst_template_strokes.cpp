@@ -1,6 +1,7 @@
 // Sections that are drawn over a mesh: along its cut, free of it, and of all of it at once.
 #include "tests/core/interaction/desk.h"
 
+#include "core/assembly/joint_state.h"
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/template_guides.h"
 #include "core/model/point_edits.h"
@@ -114,6 +115,8 @@ private Q_SLOTS:
     void onlyWhatIsNearIsCaught();
     void aSectionAcrossFollowsIt();
     void theWholeGuideAtOnce();
+    void itSlidesInFromWhereTheStrokeLeft_data();
+    void itSlidesInFromWhereTheStrokeLeft();
     void holesOfTheCutAreHolesOfTheSection();
     void aSlitBesideTheMesh();
     void aPlaneIsTakenWithAClick();
@@ -220,6 +223,35 @@ void TestTemplateStrokes::theWholeGuideAtOnce()
     QVERIFY(!desk.interaction.hasGesture());
     desk.release(desk.cursor); // comes to nothing more
     QCOMPARE(desk.sections().size(), std::size_t(2));
+}
+
+void TestTemplateStrokes::itSlidesInFromWhereTheStrokeLeft_data()
+{
+    QTest::addColumn<double>("side");
+    QTest::newRow("upwards") << 1.0;
+    QTest::newRow("downwards") << -1.0;
+}
+
+// Wrong: two discs through each other opened upwards, wherever the stroke had left.
+void TestTemplateStrokes::itSlidesInFromWhereTheStrokeLeft()
+{
+    QFETCH(double, side);
+    Desk desk;
+    addBall(desk);
+    drawRound(desk, 2.0, 0.98);
+    desk.moveTo(desk.plate(10, 30 * side));
+    desk.press(desk.plate(10, 30 * side));
+    desk.moveTo(desk.plate(10, 66 * side));
+    desk.wait(2000.0);
+    desk.run("section.takeGuide");
+    desk.release(desk.cursor);
+    const Model &model = desk.session.model();
+    QCOMPARE(model.sectionCount(), std::size_t(2));
+    const auto state = jointState(model, JointRef(model.ref(0), model.ref(1)));
+    QVERIFY(state && state->sign != 0);
+    QVERIFY(-state->openingOfB().y() * side > 0.9); // the first one's
+    desk.run("edit.undo");
+    QCOMPARE(desk.sections().size(), std::size_t(1));
 }
 
 void TestTemplateStrokes::holesOfTheCutAreHolesOfTheSection()
