@@ -164,14 +164,6 @@
         <translation>%1 sind nicht mit dem Rest verbunden.</translation>
     </message>
     <message>
-        <source>%1 meets %2, but no joint holds them together.</source>
-        <translation>%1 trifft %2, aber keine Verbindung hält sie zusammen.</translation>
-    </message>
-    <message>
-        <source>%1 meet %2, but no joint holds them together.</source>
-        <translation>%1 treffen %2, aber keine Verbindung hält sie zusammen.</translation>
-    </message>
-    <message>
         <source>Falls over forwards. The centre of mass lies %1 in front of the feet.</source>
         <translation>Fällt nach vorn um. Der Schwerpunkt liegt %1 vor den Füßen.</translation>
     </message>
@@ -1272,6 +1264,49 @@
     <message>
         <source>Rather thin</source>
         <translation>Recht dünn</translation>
+    </message>
+    <message>
+        <source>%1 meets %2, but nothing holds them together.</source>
+        <translation>%1 trifft %2, aber nichts hält sie zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 meet %2, but nothing holds them together.</source>
+        <translation>%1 treffen %2, aber nichts hält sie zusammen.</translation>
+    </message>
+    <message>
+        <source>if it held together</source>
+        <translation>wenn es zusammenhielte</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 apart. Nothing holds its part of %2 with %3.</source>
+        <extracomment>%1 is the name of a section, %2 a size, %3 names of sections</extracomment>
+        <translation>Schlitze zerschneiden %1. Nichts hält das Teil von %2 mit %3.</translation>
+    </message>
+    <message>
+        <source>Would be strong enough</source>
+        <translation>Wäre fest genug</translation>
+    </message>
+    <message>
+        <source>Would hold %1</source>
+        <extracomment>%1 is a mass or a force</extracomment>
+        <translation>Hielte %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1 is such as &quot;Would hold 350 g&quot;, %2 such as &quot;if it held together&quot;</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing is left between its slits for %2.</source>
+        <translation>%1: zwischen den Schlitzen für %2 bleibt nichts stehen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing is left between its slit for %2 and a hole.</source>
+        <translation>%1: zwischen dem Schlitz für %2 und einem Loch bleibt nichts stehen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing is left between its slit for %2 and its edge.</source>
+        <translation>%1: zwischen dem Schlitz für %2 und dem Rand bleibt nichts stehen.</translation>
     </message>
 </context>
 <context>

@@ -121,13 +121,13 @@ void writeJoint(JsonWriter &json, const Model &model, const Joint &joint)
 }
 
 /// Each connected group stands or falls by itself: the model is stable when all of them are, by the
-/// smallest of their margins. Of a piece that slits cut off nobody asks whether it stands.
+/// smallest of their margins. It is not stable where some of it is held by nothing.
 void writeStability(JsonWriter &json, const Analysis &analysis,
                     const std::vector<std::vector<int>> &groups)
 {
     int contacts = 0;
     std::vector<Vec2> corners;
-    bool isStable = !groups.empty();
+    bool isStable = groups.size() == 1;
     std::optional<double> margin, tipAngle;
     for (const std::vector<int> &group : groups) {
         if (&group != &groups.front() && isLoosePiece(analysis.bodies, group))

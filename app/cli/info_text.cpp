@@ -1,7 +1,7 @@
 #include "app/cli/info.h"
 
 #include "core/analysis/checks.h"
-#include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/plan_checks.h"
 #include "core/assembly/step_groups.h"
 #include "core/fabrication/summary.h"
@@ -80,7 +80,7 @@ QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const Info
         QStringList names;
         for (std::size_t g = 1; g < groups.size(); ++g)
             for (const int section : sectionsOf(analysis.bodies, groups[g]))
-                names += isLoosePiece(analysis.bodies, groups[g])
+                names += analysis.bodies.countOf(section) > 1
                              //: %1 is the name of a section
                              ? tr("a part of %1").arg(nameOf(model, section))
                              : nameOf(model, section);
@@ -93,7 +93,9 @@ QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const Info
                      .arg(length(size.x()), length(size.y()), length(size.z()));
         lines += tr("Mass %1 g").arg(QString::number(1000.0 * mass.mass, 'f', 1));
     }
-    for (const Finding &finding : checks(analysis))
+    std::vector<Finding> found = checks(analysis);
+    doubtVerdicts(found);
+    for (const Finding &finding : found)
         if (finding.subject() == Subject::Stability)
             lines += findingText(finding, model);
     for (const Finding &finding : planChecks(analysis, plan))

@@ -1,7 +1,7 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
 #include "core/analysis/checks.h"
-#include "core/analysis/findings/doubted_stand.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/plan_checks.h"
 #include "core/io/json_writer.h"
@@ -123,7 +123,7 @@ int runCheck(const QStringList &arguments)
                                        std::make_shared<StrengthCaches>());
         found.insert(found.end(), held.findings.begin(), held.findings.end());
     }
-    doubtStanding(found);
+    doubtVerdicts(found);
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));

@@ -1,6 +1,7 @@
 #include "core/analysis/mends.h"
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/planned.h"
 #include "core/operations/evaluate.h"
 
@@ -16,6 +17,7 @@ struct Judge
 {
     const Analysis &analysis;
     const std::vector<Finding> &findings;
+    const std::vector<Finding> &told; // the same as a person reads them
     const Flips *flips;
     const CheckRules &rules;
     Trials &trials;
@@ -34,7 +36,8 @@ struct Judge
         if (!tried || !isNoWorse(findings, tried->findings) ||
             !helps(finding, findings, tried->findings))
             return {};
-        Message changes = changesBetween(analysis, *tried->analysis, findings, tried->findings);
+        doubtVerdicts(tried->findings); // from here on they are told
+        Message changes = changesBetween(analysis, *tried->analysis, told, tried->findings);
         return Mend{action, std::move(edit),
                     std::make_shared<const Trials::Outcome>(*std::move(tried)), std::move(changes)};
     }
@@ -116,10 +119,10 @@ const std::vector<Mend> *Mends::of(const Finding &finding) const
 
 Stage mendsOf(const std::vector<Stage> &others)
 {
-    std::vector<const char *> inputs{kAnalysed.name, kFlips.name, kRules.name};
+    std::vector<std::string_view> inputs{kAnalysed.name, kFlips.name, kRules.name};
     std::vector<Stage> finding;
     for (const Stage &stage : others) {
-        if (!stage.findings || stage.refines)
+        if (!stage.findings || stage.isRefining())
             continue;
         finding.push_back(stage);
         inputs.push_back(stage.name);
@@ -137,8 +140,10 @@ Stage mendsOf(const std::vector<Stage> &others)
                                    {},
                                    previous ? previous->trials : std::make_shared<Trials>(others)};
                          const std::optional<Flips> &flips = snapshot.get(kFlips).flips;
+                         std::vector<Finding> told = all;
+                         doubtVerdicts(told);
                          const Judge judge{
-                             *out.analysis,        all,         flips ? &*flips : nullptr,
+                             *out.analysis,        all,         told, flips ? &*flips : nullptr,
                              snapshot.get(kRules), *out.trials, stop};
                          const std::vector<FindingRow> rows = inRows(all);
                          for (const FindingRow &row : rows) {

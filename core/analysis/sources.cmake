@@ -20,7 +20,7 @@ target_sources(fff_core PRIVATE
     analysis/finding_action.cpp
     analysis/findings/broader_base.cpp
     analysis/findings/connection.cpp
-    analysis/findings/doubted_stand.cpp
+    analysis/findings/doubted_verdicts.cpp
     analysis/findings/drawn_source.cpp
     analysis/findings/ending_before.cpp
     analysis/findings/in_each_other.cpp

@@ -23,11 +23,11 @@ namespace fff {
 
 using ModelPointer = std::shared_ptr<const Model>;
 
-/// The name of a stage, and what its result is.
+/// The name of a stage, and what its result is. Names are told apart by what they say.
 template <class Out>
 struct StageOf
 {
-    const char *name;
+    std::string_view name;
 };
 
 /// What a person asks besides the checks; each costs more than anybody waits for unasked.
@@ -101,9 +101,9 @@ struct Stage
         WhenSettled, // for what is committed
     };
 
-    const char *name;
+    std::string_view name;
     Text title; // what a person calls what it finds out: "the order of assembly"
-    std::vector<const char *> inputs; // names of stages, of kModel, kRules and kQuestions
+    std::vector<std::string_view> inputs; // names of stages, of kModel, kRules and kQuestions
     Runs runs = Runs::Always;
     /// previous: what it gave the last time, or null. Errors  what cannot be computed, with the
     /// name of the section or operation at fault; Cancelled once stop is requested, soon.
@@ -114,11 +114,12 @@ struct Stage
     const std::vector<Finding> &(*findings)(const void *result) = nullptr;
     /// What is said in their place when it fails.
     const FindingKind *failing = &kNotWorkedOut;
-    /// The name of a stage that it works out better: its findings, where it has some, stand in
-    /// place of those of that. Nobody waits for it.
-    const char *refines = nullptr;
+    /// The name of a stage that it works out better, or empty: its findings, where it has some,
+    /// stand in place of those of that. Nobody waits for it.
+    std::string_view refines = {};
 
-    Stage refining(const char *other) const
+    bool isRefining() const { return !refines.empty(); }
+    Stage refining(std::string_view other) const
     {
         Stage stage = *this;
         stage.refines = other;
@@ -140,7 +141,7 @@ Message workOf(const Stage &stage, double share);
 /// whose result follows from the snapshot alone; `previous` is there to save work. The `findings`
 /// of a result, where it has such, are listed among the checks.
 template <class Out, class Compute>
-Stage makeStage(const StageOf<Out> &stage, Text title, std::vector<const char *> inputs,
+Stage makeStage(const StageOf<Out> &stage, Text title, std::vector<std::string_view> inputs,
                 Stage::Runs runs, Compute compute)
 {
     Stage made{stage.name, title, std::move(inputs), runs,

@@ -93,7 +93,7 @@ bool wasSilent(Subject subject, std::span<const Finding> before)
 /// What takes too long to be asked of each edit is not.
 bool judges(const Stage &stage)
 {
-    return stage.findings && !stage.refines;
+    return stage.findings && !stage.isRefining();
 }
 
 } // namespace
@@ -118,7 +118,7 @@ std::optional<Trials::Outcome> Trials::of(Model model, const CheckRules &rules,
     Progress progress;
     for (const Stage &stage : m_stages) {
         Snapshot::Results inputs;
-        for (const char *input : stage.inputs)
+        for (const std::string_view input : stage.inputs)
             inputs[input] = results.at(input);
         const auto before = m_before.find(stage.name);
         Result<std::shared_ptr<const void>> result = failure(ErrorCode::StageFailed);

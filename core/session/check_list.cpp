@@ -1,7 +1,7 @@
 #include "core/session/check_list.h"
 
 #include "core/analysis/analysed.h"
-#include "core/analysis/findings/doubted_stand.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/pulling.h"
 #include "core/session/session.h"
 #include "core/session/set_aside.h"
@@ -98,7 +98,7 @@ void CheckList::add(const Stage &stage)
 bool CheckList::isRefined(const Stage &stage) const
 {
     const auto knowsBetter = [&](const Stage &other) {
-        return other.refines && std::string_view(other.refines) == stage.name && other.findings &&
+        return other.isRefining() && other.refines == stage.name && other.findings &&
                !m_scheduler.failureOf(other.name) &&
                m_scheduler.revisionOf(other.name) == m_scheduler.revisionOf(stage.name) &&
                m_scheduler.resultNamed(other.name) &&
@@ -119,7 +119,7 @@ void CheckList::refresh()
             if (!isRefined(stage))
                 add(stage);
     }
-    doubtStanding(m_all);
+    doubtVerdicts(m_all);
     std::stable_sort(m_all.begin(), m_all.end(),
                      [](const Finding &a, const Finding &b) { return a.subject() < b.subject(); });
     Q_EMIT changed();
@@ -137,7 +137,7 @@ CheckList::Age CheckList::age() const
     if (m_session.model().sectionCount() == 0)
         return age;
     for (const Stage &stage : m_scheduler.stages())
-        if (stage.findings && !stage.refines && !m_scheduler.failureOf(stage.name))
+        if (stage.findings && !stage.isRefining() && !m_scheduler.failureOf(stage.name))
             age = std::max(age, m_scheduler.age(stage.name)); // else none of it is among these
     return age;
 }

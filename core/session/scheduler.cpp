@@ -57,8 +57,8 @@ public:
     struct Desk
     {
         const Stage *stage = nullptr;
-        std::vector<Desk *> inputs;      // that its line names
-        std::vector<const char *> given; // the others of them
+        std::vector<Desk *> inputs;          // that its line names
+        std::vector<std::string_view> given; // the others of them
         std::shared_ptr<const void> result;
         std::uint64_t revision = 0;           // of the result
         std::optional<Error> why;             // of the inputs `started`
@@ -115,7 +115,7 @@ Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     for (const Stage &stage : stages) {
         Desk &desk = desks.emplace_back();
         desk.stage = &stage;
-        for (const char *name : stage.inputs) {
+        for (const std::string_view name : stage.inputs) {
             if (Desk *input = find(name))
                 desk.inputs.push_back(input);
             else
@@ -160,7 +160,7 @@ std::optional<Scheduler::Private::Inputs> Scheduler::Private::inputsOf(const Des
 {
     Inputs inputs;
     std::optional<std::uint64_t> common;
-    for (const char *name : desk.given) {
+    for (const std::string_view name : desk.given) {
         const auto known = given.find(name);
         if (known == given.end())
             return {};
@@ -280,7 +280,7 @@ bool Scheduler::Private::collectOne()
     } else if (isOfThis) {
         desk.why = std::move(outcome->result.error());
         if (desk.why->code != ErrorCode::Cancelled)
-            qCWarning(journal, "%s could not be worked out: %s", stage.name,
+            qCWarning(journal, "%s could not be worked out: %s", std::string(stage.name).c_str(),
                       desk.why->args.empty() ? "" : desk.why->args.front().c_str());
     }
     startAll();

@@ -83,7 +83,7 @@ public:
 
 Q_SIGNALS:
     /// A result, or why there is none. Direct: `stage` lives as long as the program.
-    void published(const char *stage);
+    void published(std::string_view stage);
     /// Something else.
     void asked();
     /// How old results are.

@@ -105,12 +105,13 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         m_builder.setAnalysis(m_bench.session().analysisPointer());
         rebuildScene();
     });
-    connect(&bench.session().scheduler(), &Scheduler::published, this, [this](const char *stage) {
-        if (std::string_view(stage) != kPulled.name)
-            return;
-        m_builder.setPulled(m_bench.session().scheduler().result(kPulled));
-        rebuildScene();
-    });
+    connect(&bench.session().scheduler(), &Scheduler::published, this,
+            [this](std::string_view stage) {
+                if (stage != kPulled.name)
+                    return;
+                m_builder.setPulled(m_bench.session().scheduler().result(kPulled));
+                rebuildScene();
+            });
     connect(&bench, &Workbench::triedChanged, this, [this] {
         m_triedBuilder = {};
         m_triedBuilder.setPulled(m_bench.session().scheduler().result(kPulled));

@@ -32,8 +32,8 @@ CuttingWork::CuttingWork(const Session &session, QObject *parent)
 {
     m_mail->to = this;
     connect(&session, &Session::modelChanged, this, [this] { Q_EMIT changed(); }); // it is older
-    connect(&session.scheduler(), &Scheduler::published, this, [this](const char *stage) {
-        if (stage != std::string_view(kAnalysed.name))
+    connect(&session.scheduler(), &Scheduler::published, this, [this](std::string_view stage) {
+        if (stage != kAnalysed.name)
             return;
         begin();
         Q_EMIT changed();

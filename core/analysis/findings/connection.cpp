@@ -39,8 +39,8 @@ Message notConnectedSentence(const Finding &finding, const Model &model)
     // Below what anyone can see they touch.
     constexpr double kTouching = 0.05; // mm
     if (gap.distance <= kTouching)
-        return {isOne ? FFF_TEXT("Checks", "%1 meets %2, but no joint holds them together.")
-                      : FFF_TEXT("Checks", "%1 meet %2, but no joint holds them together."),
+        return {isOne ? FFF_TEXT("Checks", "%1 meets %2, but nothing holds them together.")
+                      : FFF_TEXT("Checks", "%1 meet %2, but nothing holds them together."),
                 {names, other}};
     return {isOne ? FFF_TEXT("Checks", "Nothing touches %1. It is %2 away from %3.")
                   : FFF_TEXT("Checks", "Nothing else touches %1. They are %2 away from %3."),
@@ -85,12 +85,13 @@ std::vector<FindingAction> mendsOf(const Finding &finding, const Analysis &analy
     return all;
 }
 
-/// The groups that are said to be loose; of pieces it is said with their section.
+/// The groups that are said to be loose; of pieces it is said elsewhere.
 std::vector<const std::vector<int> *> looseGroups(const Looked &at)
 {
     std::vector<const std::vector<int> *> loose;
     for (std::size_t g = 1; g < at.groups.size(); ++g)
-        if (!isLoosePiece(at.analysis.bodies, at.groups[g]))
+        if (!isLoosePiece(at.analysis.bodies, at.groups[g]) &&
+            !severedPiece(at.analysis.bodies, at.groups[g]))
             loose.push_back(&at.groups[g]);
     return loose;
 }

@@ -31,6 +31,15 @@ Message loosePiecesSentence(const Finding &finding, const Model &model)
             {name, pieces.parts, pieces.loose, size}};
 }
 
+Message severedSentence(const Finding &finding, const Model &model)
+{
+    const SeveredPiece &piece = *finding.details<SeveredPiece>();
+    //: %1 is the name of a section, %2 a size, %3 names of sections
+    return {FFF_TEXT("Checks", "Slits cut %1 apart. Nothing holds its part of %2 with %3."),
+            {nameAt(finding, model, 0), WidthAndHeight{piece.width, piece.height},
+             namesOf(model, {finding.sections.begin() + 1, finding.sections.end()})}};
+}
+
 constexpr Text kTurnText = FFF_TEXT("Checks", "Flip slits");
 //: %1 is the name of a section
 constexpr Text kTurnStep = FFF_TEXT("Step", "Flip slits of %1");
@@ -78,6 +87,30 @@ std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
     return {{&kTurnSlits}, {&kEndBefore}};
 }
 
+constexpr Text kLetOneEnd =
+    FFF_TEXT("Checks", "Let one of the sections that cross there end before the others, or move it "
+                       "aside.");
+
+Vec2 sizeOf(const Body &piece)
+{
+    return bounds(piece.outline().region.outer).size();
+}
+
+/// What slits cut off and what hangs on it.
+Finding severedOf(const Analysis &analysis, const std::vector<int> &group, int piece)
+{
+    const Bodies &bodies = analysis.bodies;
+    const Body &body = bodies.at(piece);
+    const Vec2 size = sizeOf(body);
+    Finding finding = makeFinding(kSevered, Severity::Error, SeveredPiece{size.x(), size.y()});
+    finding.sections = {analysis.model.ref(static_cast<std::size_t>(bodies.sectionOf(piece)))};
+    for (const SectionRef &other : analysis.model.refs(sectionsOf(bodies, group)))
+        if (!(other == finding.sections.front()))
+            finding.sections.push_back(other);
+    finding.at = body.mass().centre;
+    return finding;
+}
+
 } // namespace
 
 const ActionKind kTurnSlits{plainWords<kTurnText>, turned};
@@ -89,12 +122,31 @@ const FindingKind kLoosePieces{
     .sentence = loosePiecesSentence,
     .actions = turnSlits,
     .weight = [](const Finding &finding) { return finding.details<LoosePieces>()->loose; },
-    .advice = FFF_TEXT("Checks", "Let one of the sections that cross there end before the others, "
-                                 "or move it aside.")};
+    .advice = kLetOneEnd};
+const FindingKind kSevered{.name = "loosePieces",
+                           .subject = Subject::Connection,
+                           .title = FFF_TEXT("Checks", "Loose parts"),
+                           .sentence = severedSentence,
+                           .actions = turnSlits,
+                           .advice = kLetOneEnd};
 
 bool isLoosePiece(const Bodies &bodies, const std::vector<int> &group)
 {
     return group.size() == 1 && bodies.countOf(bodies.sectionOf(group.front())) > 1;
+}
+
+std::optional<int> severedPiece(const Bodies &bodies, const std::vector<int> &group)
+{
+    if (group.size() < 2)
+        return {};
+    std::map<int, int> inside; // pieces, by their sections
+    for (const int body : group)
+        ++inside[bodies.sectionOf(body)];
+    const auto severed = std::find_if(group.begin(), group.end(), [&](int body) {
+        const int section = bodies.sectionOf(body);
+        return inside[section] < bodies.countOf(section);
+    });
+    return severed == group.end() ? std::nullopt : std::optional(*severed);
 }
 
 void findLoosePieces(const Looked &at, std::vector<Finding> &found)
@@ -107,15 +159,18 @@ void findLoosePieces(const Looked &at, std::vector<Finding> &found)
     for (const auto &[section, pieces] : loose) {
         // Bodies of a section come the largest first.
         const Body &largest = bodies.at(*std::min_element(pieces.begin(), pieces.end()));
-        const Box2 box = bounds(largest.outline().region.outer);
+        const Vec2 size = sizeOf(largest);
         Finding finding =
             makeFinding(kLoosePieces, Severity::Error,
                         LoosePieces{bodies.countOf(section), static_cast<int>(pieces.size()),
-                                    box.size().x(), box.size().y()});
+                                    size.x(), size.y()});
         finding.sections = {at.analysis.model.ref(static_cast<std::size_t>(section))};
         finding.at = largest.mass().centre;
         found.push_back(std::move(finding));
     }
+    for (std::size_t g = 1; g < at.groups.size(); ++g)
+        if (const auto piece = severedPiece(bodies, at.groups[g]))
+            found.push_back(severedOf(at.analysis, at.groups[g], *piece));
 }
 
 } // namespace fff

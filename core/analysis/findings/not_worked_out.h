@@ -10,7 +10,7 @@ struct Stage;
 /// Of a finding of these kinds.
 struct StageFailure
 {
-    const char *stage = nullptr; // its name
+    std::string_view stage = {}; // its name
     Text title = {};
     Error why;
 };

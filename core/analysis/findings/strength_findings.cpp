@@ -48,6 +48,14 @@ Message holdsTitle(const Finding &finding)
     return {FFF_TEXT("Checks", "Holds %1"), {placedOf(heldOf(finding))}};
 }
 
+Message wouldHoldTitle(const Finding &finding)
+{
+    if (heldOf(finding).placed == 0.0)
+        return {FFF_TEXT("Checks", "Would be strong enough"), {}};
+    //: %1 is a mass or a force
+    return {FFF_TEXT("Checks", "Would hold %1"), {placedOf(heldOf(finding))}};
+}
+
 /// It "holds" nothing from which a corner in it may crack already.
 Message barelyTitle(const Finding &finding)
 {
@@ -164,6 +172,17 @@ template <Message (*title)(const Finding &)>
 Message heldSentence(const Finding &finding, const Model &model)
 {
     return withBending(firmSentence<title>(finding, model), heldOf(finding));
+}
+
+Message wouldHoldSentence(const Finding &finding, const Model &model)
+{
+    const Held &held = heldOf(finding);
+    //: %1 is such as "Would hold 350 g", %2 such as "if it held together"
+    const Message title{FFF_TEXT("Checks", "%1 %2"),
+                        {wouldHoldTitle(finding), Message{held.provided, {}}}};
+    return withBending(titledSentence(title, held.placed > 0.0 ? limitsOf(held, model)
+                                                               : ownWeightSentence(finding, model)),
+                       held);
 }
 
 Message weakSentence(const Finding &finding, const Model &model)
@@ -348,6 +367,11 @@ const FindingKind kHolds{"holds",
                          nullptr,
                          {},
                          holdsTitle};
+const FindingKind kWouldHold{.name = "wouldHold",
+                             .subject = Subject::Strength,
+                             .title = FFF_TEXT("Checks", "Would be strong enough"),
+                             .sentence = wouldHoldSentence,
+                             .titled = wouldHoldTitle};
 const FindingKind kBarelyHolds{"barelyHolds",
                                Subject::Strength,
                                FFF_TEXT("Checks", "Barely strong enough"),

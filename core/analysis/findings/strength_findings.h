@@ -7,8 +7,10 @@
 
 namespace fff {
 
-extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
-    kFolds, kWeightBeside;
+extern const FindingKind kHolds;
+extern const FindingKind kWouldHold; // if it held together, which something else says it does not
+extern const FindingKind kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin, kFolds,
+    kWeightBeside;
 
 /// Of the verdict on all of it.
 struct Held
@@ -20,6 +22,7 @@ struct Held
     std::optional<WeakPlace> weakest, cracks, breaks;
     BearableMass bearable;
     double bends = 0.0; // mm, as far as it gives; 0: not known, or too little to be told
+    Text provided = {}; // kWouldHold: what keeps it from it, "if it held together"
 };
 
 /// One verdict on all of it where it stands, and what is wrong beside that.

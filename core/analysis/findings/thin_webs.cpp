@@ -13,17 +13,33 @@ Message slitsMeetSentence(const Finding &finding, const Model &model)
             {nameAt(finding, model, 0), namesOf(model, finding.others)}};
 }
 
+/// It would be told as 0.00 mm.
+constexpr double kLeastTold = 0.005; // mm
+
+Text thinText(const Finding &finding, const ThinWeb &web)
+{
+    const bool isBetweenSlits = finding.others.size() > 1;
+    if (web.width < kLeastTold)
+        return isBetweenSlits ? FFF_TEXT("Checks", "%1: nothing is left between its slits for %2.")
+               : web.isByAHole
+                   ? FFF_TEXT("Checks", "%1: nothing is left between its slit for %2 and a hole.")
+                   : FFF_TEXT("Checks",
+                              "%1: nothing is left between its slit for %2 and its edge.");
+    return isBetweenSlits
+               ? FFF_TEXT("Checks", "%1: only %2 of material is left between its slits for %3.")
+           : web.isByAHole
+               ? FFF_TEXT("Checks",
+                          "%1: only %2 of material is left between its slit for %3 and a hole.")
+               : FFF_TEXT("Checks",
+                          "%1: only %2 of material is left between its slit for %3 and its edge.");
+}
+
 Message thinSentence(const Finding &finding, const Model &model)
 {
     const ThinWeb &web = *finding.details<ThinWeb>();
-    const Text text =
-        finding.others.size() > 1
-            ? FFF_TEXT("Checks", "%1: only %2 of material is left between its slits for %3.")
-        : web.isByAHole
-            ? FFF_TEXT("Checks",
-                       "%1: only %2 of material is left between its slit for %3 and a hole.")
-            : FFF_TEXT("Checks",
-                       "%1: only %2 of material is left between its slit for %3 and its edge.");
+    const Text text = thinText(finding, web);
+    if (web.width < kLeastTold)
+        return {text, {nameAt(finding, model, 0), namesOf(model, finding.others)}};
     // Lengths are said to a tenth, widths to a hundredth: what is left must not read as nothing.
     const Quantity width =
         web.width < 0.1 ? widthOf(std::max(web.width, 0.01)) : lengthOf(web.width);

@@ -2,7 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/asked_bearing.h"
-#include "core/analysis/findings/doubted_stand.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/stages.h"
 #include "core/operations/evaluate.h"
@@ -20,7 +20,7 @@ Staged stagedTo(const Document &document, bool wantsMends)
     Staged out;
     for (const Stage &stage : stages()) {
         const bool isForMends = stage.name == kFlips.name || stage.name == kMends.name;
-        if (stage.refines || stage.name == kBearing.name || (isForMends && !wantsMends))
+        if (stage.isRefining() || stage.name == kBearing.name || (isForMends && !wantsMends))
             continue;
         Progress progress;
         const auto result = stage.compute(Snapshot(0, results), nullptr, progress, {});
@@ -32,7 +32,7 @@ Staged stagedTo(const Document &document, bool wantsMends)
             out.found.insert(out.found.end(), found.begin(), found.end());
         }
     }
-    doubtStanding(out.found);
+    doubtVerdicts(out.found);
     out.analysis = Snapshot(0, results).get(kAnalysed).analysis;
     if (wantsMends)
         out.mends = Snapshot(0, results).pointer(kMends);

@@ -11,6 +11,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_check_list
     core/session/tst_checks
     core/session/tst_cutlery_holder
+    core/session/tst_doubted_verdicts
     core/session/tst_failures
     core/session/tst_flips
     core/session/tst_flat_template_commands

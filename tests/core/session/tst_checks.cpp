@@ -268,7 +268,7 @@ void TestChecks::jointsThatCannotSlide()
     QCOMPARE(find(found, kNoSlit)->details<MissingSlit>()->overlap, 16.0);
     // They touch, and yet nothing holds them together.
     QVERIFY(
-        textOf(held, kNotConnected).endsWith(QStringLiteral("but no joint holds them together.")));
+        textOf(held, kNotConnected).endsWith(QStringLiteral("but nothing holds them together.")));
 
     const Analysis shallow = analysed(
         withSection(withSection(newDocument(), polygonShape(rectangle(-50, 0, 50, 60)), front()),

@@ -87,8 +87,7 @@ Result<Crowding> crowding(const Snapshot &snapshot, const Crowding *, Progress &
 std::vector<Stage> withCrowding()
 {
     std::vector<Stage> all = stages();
-    std::erase_if(all,
-                  [](const Stage &stage) { return std::string_view(stage.name) == kMends.name; });
+    std::erase_if(all, [](const Stage &stage) { return stage.name == kMends.name; });
     all.push_back(makeStage(kCrowding, FFF_TEXT("Stage", "how crowded it is"), {kModel.name},
                             Stage::Runs::WhenSettled, crowding));
     all.push_back(mendsOf(all));

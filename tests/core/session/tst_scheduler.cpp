@@ -123,7 +123,7 @@ void TestScheduler::resultsFollowOneFromAnother()
     QVERIFY(!scheduler.result(kCounted));
     std::vector<std::string> published;
     connect(&scheduler, &Scheduler::published, this,
-            [&](const char *stage) { published.emplace_back(stage); });
+            [&](std::string_view stage) { published.emplace_back(stage); });
     scheduler.request(7, modelOf(3), false);
     scheduler.finish(kDoubled.name);
     QCOMPARE(scheduler.result(kDoubled)->sections, 6);
@@ -177,7 +177,7 @@ void TestScheduler::thereAndBackIsCurrent()
     scheduler.request(3, here, false);
     solver.holds = false;
     scheduler.finish();
-    for (const char *stage : {kCounted.name, kDoubled.name}) {
+    for (const std::string_view stage : {kCounted.name, kDoubled.name}) {
         QCOMPARE(scheduler.revisionOf(stage), std::uint64_t(3));
         QCOMPARE(scheduler.age(stage), Scheduler::Age::Current);
     }

@@ -1,0 +1,133 @@
+// What is green speaks of what is really there: beside parts that nothing holds nobody knows.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/analysis/findings/connection.h"
+#include "core/analysis/findings/doubted_verdicts.h"
+#include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/standing.h"
+#include "core/analysis/findings/strength_findings.h"
+#include "core/session/check_list.h"
+#include "core/session/finding_text.h"
+#include "core/session/session.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/core/session/all_findings.h"
+#include "tests/core/session/staged.h"
+#include "tests/test_program.h"
+
+#include <QLocale>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+/// Two plates across each other on the ground, so far to the right.
+Document withCross(Document document, double right)
+{
+    const ShapePointer plate = plateOf(-50, 0, 50, 60);
+    Frame one = front(), other = side();
+    one.origin.x() = other.origin.x() = right;
+    return withSection(withSection(std::move(document), plate, one), plate, other);
+}
+
+/// Two crosses that both stand by themselves.
+Document twoCrosses()
+{
+    return withCross(withCross(newDocument(), 0.0), 200.0);
+}
+
+/// A shelf goes all through two plates that cross, and one of the pieces carries a flag.
+Document withSeveredPiece()
+{
+    Document document = withCross(newDocument(), 0.0);
+    const Frame shelf{{0, 30, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+    document = withSection(std::move(document), plateOf(-60, -60, 60, 60), shelf);
+    return withSection(std::move(document), plateOf(-10, 45, 10, 80), side(25));
+}
+
+QString textOf(const Staged &all, const FindingKind &kind)
+{
+    const Finding *finding = find(all.found, kind);
+    return finding ? findingText(*finding, all.analysis->model) : QString();
+}
+
+} // namespace
+
+class TestDoubtedVerdicts : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void nothingIsGreenBesideWhatIsLoose();
+    void alsoWhileAModelIsBegun();
+    void aMendMakesThemGreenAgain();
+    void aPieceWithWhatItCarries();
+};
+
+// Wrong: "Stands" and "Strong enough" were green, of a heap of parts.
+void TestDoubtedVerdicts::nothingIsGreenBesideWhatIsLoose()
+{
+    const Staged held = staged(withCross(newDocument(), 0.0));
+    QVERIFY(find(held.found, kStands) && find(held.found, kHolds));
+    const Staged loose = staged(twoCrosses());
+    QVERIFY(find(loose.found, kNotConnected));
+    QVERIFY(!find(loose.found, kStands) && !find(loose.found, kHolds));
+    for (const auto &[kind, begins] :
+         {std::pair(&kWouldStand, "Would stand if it held together. "),
+          std::pair(&kWouldHold, "Would be strong enough if it held together. ")}) {
+        QCOMPARE(find(loose.found, *kind)->severity, Severity::Unknown);
+        const QString text = textOf(loose, *kind);
+        QVERIFY2(text.contains(QLatin1String(begins)), qPrintable(text));
+    }
+}
+
+void TestDoubtedVerdicts::alsoWhileAModelIsBegun()
+{
+    Session session;
+    CheckList list(session);
+    session.commit(QStringLiteral("Draw"), twoCrosses());
+    list.setBeginning(true);
+    list.finish();
+    QVERIFY(find(list.all(), kNotConnected)->isYet);
+    QVERIFY(find(list.all(), kWouldStand) && find(list.all(), kWouldHold));
+    session.commit(QStringLiteral("Draw"), withCross(newDocument(), 0.0));
+    list.finish();
+    QVERIFY(find(list.all(), kStands) && find(list.all(), kHolds));
+}
+
+// A verdict that is known again is none that a mend has made worse, or better.
+void TestDoubtedVerdicts::aMendMakesThemGreenAgain()
+{
+    Session session;
+    CheckList list(session);
+    session.commit(QStringLiteral("Draw"), twoCrosses());
+    list.finish();
+    int offered = 0;
+    for (const Mend &mend : list.mendsOf(*find(list.all(), kNotConnected))) {
+        if (!mend.isEdit())
+            continue;
+        ++offered;
+        const bool isWhole = !find(mend.tried->findings, kNotConnected);
+        QCOMPARE(find(mend.tried->findings, kHolds) != nullptr, isWhole);
+        QCOMPARE(find(mend.tried->findings, kWouldHold) == nullptr, isWhole);
+    }
+    QVERIFY(offered > 0);
+}
+
+// Wrong: it was said to meet the very section that it was a piece of.
+void TestDoubtedVerdicts::aPieceWithWhatItCarries()
+{
+    const Staged all = staged(withSeveredPiece());
+    const Finding *severed = find(all.found, kSevered);
+    QVERIFY(severed && severed->severity == Severity::Error);
+    QVERIFY(!find(all.found, kNotConnected));
+    const QString text = textOf(all, kSevered);
+    QVERIFY2(
+        text.startsWith(QStringLiteral("Slits cut Section 1 apart. Nothing holds its part of ")) &&
+            text.endsWith(QStringLiteral(" with Section 4.")),
+        qPrintable(text));
+}
+
+FFF_TEST(TestDoubtedVerdicts)
+#include "tst_doubted_verdicts.moc"
