@@ -411,7 +411,7 @@ void TestScheduler::randomEditsWithCancels()
         fresh.request(static_cast<std::uint64_t>(i), model, false);
         fresh.finish();
         for (const Stage &stage : scheduler.stages()) {
-            QVERIFY2(!scheduler.failureOf(stage.name), stage.name);
+            QVERIFY2(!scheduler.failureOf(stage.name), stage.name.data());
             QCOMPARE(scheduler.revisionOf(stage.name), static_cast<std::uint64_t>(i));
             QCOMPARE(scheduler.age(stage.name), Scheduler::Age::Current);
         }
