@@ -19,9 +19,30 @@ constexpr double kRatioRounding = 1e-12;
 constexpr double kMostPast = 0.2, kDeepestPast = 0.5;
 /// An end that has come back from there by more than this part of how deep it was goes on.
 constexpr double kComesBack = 0.3;
+/// Tolerances that a hook is long at most: what is longer is drawn.
+constexpr double kLongestSlip = 10.0;
 /// Ends past the axis that come nearer to each other than this part of how far they are apart on
 /// it begin to close the outline.
 constexpr double kClosesIn = 0.6;
+
+double lengthOf(const std::vector<Vec2> &samples, std::size_t from, std::size_t to)
+{
+    double length = 0.0;
+    for (std::size_t i = from; i < to; ++i)
+        length += (samples[i + 1] - samples[i]).norm();
+    return length;
+}
+
+/// What of the samples lies between hooks of the hand.
+WithoutHooks betweenHooks(const std::vector<Vec2> &samples, double tolerance)
+{
+    WithoutHooks kept = withoutHooks(samples, tolerance);
+    if (lengthOf(samples, 0, kept.from) > kLongestSlip * tolerance)
+        kept.from = 0;
+    if (lengthOf(samples, kept.to, samples.size() - 1) > kLongestSlip * tolerance)
+        kept.to = samples.size() - 1;
+    return kept;
+}
 
 /// A stroke over its axis: how high each of its samples is, on the side that it reaches farther on.
 class StrokeOverAxis
@@ -53,8 +74,9 @@ public:
             --first;
         while (last < kept.to && height(last) > 0.0)
             ++last;
-        const double past = lengthOf(kept.from, first) + lengthOf(last, kept.to);
-        if (past > kMostPast * lengthOf(kept.from, kept.to) ||
+        const double past =
+            lengthOf(m_samples, kept.from, first) + lengthOf(m_samples, last, kept.to);
+        if (past > kMostPast * lengthOf(m_samples, kept.from, kept.to) ||
             !isEnd(first, kept.from, largest, limit) || !isEnd(last, kept.to, largest, limit) ||
             doEndsClose(kept, first, last))
             return {};
@@ -65,14 +87,6 @@ public:
     }
 
 private:
-    double lengthOf(std::size_t from, std::size_t to) const
-    {
-        double length = 0.0;
-        for (std::size_t i = from; i < to; ++i)
-            length += (m_samples[i + 1] - m_samples[i]).norm();
-        return length;
-    }
-
     /// Whether what lies between where the stroke crosses the axis and its end is no more than an
     /// end: near the axis, or not deep and not on its way back.
     bool isEnd(std::size_t crossing, std::size_t end, double largest, double limit) const
@@ -124,7 +138,7 @@ SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis
         return verdict;
     const StrokeOverAxis stroke(samples, axis, verdict.isLeft() ? 1.0 : -1.0);
     const auto depth =
-        stroke.depthWithoutEnds(withoutHooks(samples, tolerance), larger, verdict.limit);
+        stroke.depthWithoutEnds(betweenHooks(samples, tolerance), larger, verdict.limit);
     if (depth && isOneSided(larger, *depth)) {
         smaller = *depth;
         verdict.isOneSided = true;

@@ -160,7 +160,7 @@ def main():
 
     # Local symmetry.
     mirrored(61).save("mirrored_at_6_1")
-    mirrored(59).save("plain_at_5_9")
+    mirrored(59).save("starts_past_the_axis")
     mirrored(61, "shift").save("shift_keeps_one_side")
     off = body().command("section.symmetry", on=False).slit((640, 400), (640, 230))
     off.to((630, 190), (701, 250), (701, 350), (632, 420)).release().save("symmetry_is_off")

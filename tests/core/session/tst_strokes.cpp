@@ -214,7 +214,6 @@ void TestStrokes::strokes_data()
                              "circle",
                              "leaves_the_window",
                              "slit_leaves_the_window",
-                             "plain_at_5_9",
                              "shift_keeps_one_side",
                              "symmetry_is_off"})
         row(name);
@@ -235,6 +234,7 @@ void TestStrokes::strokes_data()
     row("eye", {1, 2, Drawn, {}, false, 0});
     row("twitch", nothing(hints::kTwitch));
     row("mirrored_at_6_1", {2, 2, Mirrored});
+    row("starts_past_the_axis", {2, 2, Mirrored});
     row("first_mirrored_by_shift", {1, 1, Mirrored, {}, true, 0});
     row("mirrored_downwards", {2, 2, Mirrored});
     for (const char *phase : {"slit", "turn", "dead_zone", "contour"}) {
