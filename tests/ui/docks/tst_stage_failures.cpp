@@ -118,11 +118,11 @@ void TestStageFailures::eachWayIsSaid_data()
 {
     QTest::addColumn<QString>("stage");
     QTest::addColumn<int>("way");
-    for (const char *stage : {kAnalysed.name, kVerdicts.name, kPlanned.name, kFlips.name})
+    for (const std::string_view stage :
+         {kAnalysed.name, kVerdicts.name, kPlanned.name, kFlips.name})
         for (int way = 0; way < 4; ++way)
-            QTest::newRow(
-                qPrintable(QStringLiteral("%1, way %2").arg(QLatin1String(stage)).arg(way)))
-                << QString::fromLatin1(stage) << way;
+            QTest::addRow("%s, way %d", stage.data(), way)
+                << QString::fromLatin1(stage.data()) << way;
 }
 
 void TestStageFailures::eachWayIsSaid()
