@@ -91,7 +91,8 @@ void Excerpt::chooseOperations()
 {
     for (const OperationResultPointer &result : m_model.evaluation.results) {
         const Operation &operation = *result->operation;
-        if (!isWhole(*result) || !readsWanted(operation))
+        const bool stays = operation.subject.isValid(); // beside its template
+        if (stays || !isWhole(*result) || !readsWanted(operation))
             continue;
         m_operations.insert(operation.id);
         for (const auto &[role, inputs] : operation.inputs)

@@ -48,7 +48,10 @@ std::string difference(const Model &a, const Model &b)
         same.id = b.stockOf(i).id;
         if (!(same == b.stockOf(i)))
             return say("stock");
-        if (p.made.key.empty() != q.made.key.empty())
+        // What is made of a template comes without it, as drawn.
+        const Operation *by = a.document.find(p.made.operation);
+        const bool isMade = !p.made.key.empty() && !(by && by->subject.isValid());
+        if (isMade == q.made.key.empty())
             return say("made");
     }
     const Document &d = a.document, &e = b.document;
@@ -71,13 +74,15 @@ std::string difference(const Model &a, const Model &b)
         if (!(same == other))
             return "what is wanted of a joint";
     }
-    if (d.operations.size() != e.operations.size())
+    std::vector<OperationPointer> were = d.operations;
+    std::erase_if(were, [](const auto &one) { return one->subject.isValid(); });
+    if (were.size() != e.operations.size())
         return "operations";
-    for (std::size_t i = 0; i < d.operations.size(); ++i)
-        if (d.operations[i]->kind != e.operations[i]->kind ||
-            d.operations[i]->exceptions.size() != e.operations[i]->exceptions.size() ||
-            d.operations[i]->name != e.operations[i]->name)
-            return d.operations[i]->name;
+    for (std::size_t i = 0; i < were.size(); ++i)
+        if (were[i]->kind != e.operations[i]->kind ||
+            were[i]->exceptions.size() != e.operations[i]->exceptions.size() ||
+            were[i]->name != e.operations[i]->name)
+            return were[i]->name;
     return {};
 }
 
