@@ -3,6 +3,7 @@
 
 #include "core/interaction/measure_tool.h"
 #include "core/interaction/measure_words.h"
+#include "core/io/document_file.h"
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
 #include "core/model/load_edits.h"
@@ -266,11 +267,7 @@ void TestMeasureTool::scalingBackIsTheIdentity_data()
 void TestMeasureTool::scalingBackIsTheIdentity()
 {
     QFETCH(QString, path);
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QByteArray bytes = file.readAll();
-    const Result<io::LoadedDocument> read =
-        io::readFff({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const Result<io::LoadedDocument> read = io::readDocument(path);
     QVERIFY(read);
     const Document &document = read->document;
     for (const double factor : {0.7, 1.25}) {

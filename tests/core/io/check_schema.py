@@ -8,6 +8,7 @@ import copy
 import json
 import subprocess
 import sys
+import zipfile
 
 import jsonschema
 
@@ -20,6 +21,15 @@ BEYOND_SCHEMA = ("an id below nextId", "a parent that does not descend from its 
 VARIED = ("data/fff/two_sections.fff", "data/fff/annotated.fff", "data/fff/with_blobs.fff", "data/fff/with_templates.fff",
           "seeds/fff/generated.fff", "seeds/fff/joints.fff", "seeds/fff/operations.fff")
 OTHER_VALUES = [None, True, "text", "", -1, 0, 0.5, 1, 2.0, 7, 1e7, -1e7, 2**53 + 2, [], [1], {}]
+
+
+def text_of(name):
+    """Of one that holds other files the document among them."""
+    if zipfile.is_zipfile(name):
+        with zipfile.ZipFile(name) as archive:
+            return archive.read("document.json")
+    with open(name, "rb") as file:
+        return file.read()
 
 
 def places(value, path=()):
@@ -64,8 +74,7 @@ def main():
 
     documents = []
     for name in files:
-        with open(name, encoding="utf-8") as file:
-            documents.append(json.load(file))
+        documents.append(json.loads(text_of(name)))
         for error in validator.iter_errors(documents[-1]):
             failures += 1
             print(f"{name}: {error.json_path}: {error.message}")
