@@ -10727,6 +10727,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Four thick legs: safe</source>
         <translation>Vier dicke Beine: sicher</translation>
     </message>
+    <message>
+        <source>Bear over a mesh</source>
+        <translation>Bär über einem Netz</translation>
+    </message>
+    <message>
+        <source>Owl from pictures</source>
+        <translation>Eule nach Bildern</translation>
+    </message>
+    <message>
+        <source>Hedgehog in slices</source>
+        <translation>Igel in Schnitten</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ScaleBar</name>

@@ -5,6 +5,7 @@ qt_add_resources(fff_ui samples PREFIX /samples BASE ${CMAKE_CURRENT_LIST_DIR} F
     ${CMAKE_CURRENT_LIST_DIR}/acrylic_thick_three.fff
     ${CMAKE_CURRENT_LIST_DIR}/acrylic_thin_four.fff
     ${CMAKE_CURRENT_LIST_DIR}/acrylic_thin_three.fff
+    ${CMAKE_CURRENT_LIST_DIR}/bear.fff
     ${CMAKE_CURRENT_LIST_DIR}/beetle.fff
     ${CMAKE_CURRENT_LIST_DIR}/bony_fish.fff
     ${CMAKE_CURRENT_LIST_DIR}/bridge.fff
@@ -18,8 +19,10 @@ qt_add_resources(fff_ui samples PREFIX /samples BASE ${CMAKE_CURRENT_LIST_DIR} F
     ${CMAKE_CURRENT_LIST_DIR}/glass_holder.fff
     ${CMAKE_CURRENT_LIST_DIR}/glass_three_legs.fff
     ${CMAKE_CURRENT_LIST_DIR}/growing_tree.fff
+    ${CMAKE_CURRENT_LIST_DIR}/hedgehog.fff
     ${CMAKE_CURRENT_LIST_DIR}/lamp.fff
     ${CMAKE_CURRENT_LIST_DIR}/organiser.fff
+    ${CMAKE_CURRENT_LIST_DIR}/owl.fff
     ${CMAKE_CURRENT_LIST_DIR}/tree.fff
     ${CMAKE_CURRENT_LIST_DIR}/two_poses.fff
     ${CMAKE_CURRENT_LIST_DIR}/whale.fff)

@@ -26,6 +26,10 @@ const Row kRows[] = {
     {"chair", QT_TRANSLATE_NOOP("fff::ui::Samples", "Doll’s chair")},
     {"glass_holder", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass holder")},
     {"organiser", QT_TRANSLATE_NOOP("fff::ui::Samples", "Desk organiser")},
+    // Drawn over a mesh, over pictures, and cut from a mesh.
+    {"bear", QT_TRANSLATE_NOOP("fff::ui::Samples", "Bear over a mesh")},
+    {"owl", QT_TRANSLATE_NOOP("fff::ui::Samples", "Owl from pictures")},
+    {"hedgehog", QT_TRANSLATE_NOOP("fff::ui::Samples", "Hedgehog in slices")},
     // With operations to play with.
     {"bony_fish", QT_TRANSLATE_NOOP("fff::ui::Samples", "Fish bones")},
     {"dinosaur", QT_TRANSLATE_NOOP("fff::ui::Samples", "Dinosaur")},
