@@ -105,6 +105,14 @@ ViewMargins fitMargins(const Vec2 &viewport, std::span<const Box2> covered)
     return margins;
 }
 
+ViewMargins withRoomAround(const ViewMargins &margins, const Vec2 &viewport, double share)
+{
+    const double rest = 0.5 * (1.0 - share);
+    const double x = rest * std::max(0.0, viewport.x() - margins.left - margins.right);
+    const double y = rest * std::max(0.0, viewport.y() - margins.top - margins.bottom);
+    return {margins.left + x, margins.top + y, margins.right + x, margins.bottom + y};
+}
+
 std::vector<Vec3> outlinePoints(const Model &model, const ViewState &view)
 {
     std::vector<Vec3> points;

@@ -22,6 +22,10 @@ struct ViewMargins
 ///          middle, do not count
 ViewMargins fitMargins(const Vec2 &viewport, std::span<const Box2> covered);
 
+/// So much more at each side that what fits between them takes this part of the room that they
+/// leave, in its middle. share: 0 to 1, not 0
+ViewMargins withRoomAround(const ViewMargins &margins, const Vec2 &viewport, double share);
+
 /// World points whose outline on the screen is that of the sections, both sides of their slabs:
 /// those that are not hidden, or of these the ones that are named.
 std::vector<Vec3> outlinePoints(const Model &model, const ViewState &view);

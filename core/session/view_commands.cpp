@@ -63,6 +63,11 @@ constexpr double kTurnTime = 400.0;
 constexpr double kFitTime = 250.0;
 /// Beside a joint that is shown as large as possible, mm.
 constexpr double kLeastBeside = 5.0;
+/// Of the view that a selection may be asked to take.
+constexpr double kLeastShare = 0.1;
+/// A small thing is looked at from no nearer than so many times as near as all: where in a model
+/// it is depends on the model, not on its own size.
+constexpr double kMostCloser = 5.0;
 
 /// Round the slits of a joint, with what is beside them.
 std::vector<Vec3> pointsRound(const Model &model, const JointRef &joint)
@@ -91,6 +96,27 @@ std::vector<Vec3> selectedPoints(const Session &session, const Interaction &inte
     if (interaction.selectedJoint())
         return pointsRound(model, *interaction.selectedJoint());
     return outlinePoints(model, interaction.sectionsInFocus());
+}
+
+/// What is selected takes this part of the view's width and height, and the rest is for what is
+/// round it, as far as there is any.
+Camera fittedAmid(double share, const Session &session, const Interaction &interaction)
+{
+    const Vec2 &viewport = interaction.viewport();
+    const ViewMargins margins = fitMargins(viewport, interaction.covered());
+    const std::vector<Vec3> selected = selectedPoints(session, interaction);
+    const auto near = [&](double part) {
+        return fittedClearOfCube(interaction.targetCamera(), selected, viewport,
+                                 withRoomAround(margins, viewport, part));
+    };
+    const Camera all =
+        fittedClearOfCube(interaction.targetCamera(),
+                          outlinePoints(session.committed(), interaction.view()), viewport, margins);
+    const Camera camera = near(share);
+    const double closer = all.millimetresPerPixel / camera.millimetresPerPixel;
+    if (closer <= 1.0)
+        return all; // round all that there is nothing is left to be seen
+    return closer > kMostCloser ? near(share * kMostCloser / closer) : camera;
 }
 
 /// The corner after the one that is looked from, else the first.
@@ -269,8 +295,19 @@ void registerFits(CommandRegistry &registry, Session &session, Interaction &inte
                    : !interaction.sectionsInFocus().empty();
     };
     registry.add("view.fitSelection",
-                 {[&session, &interaction](const CommandParameters &, double time) -> Result<void> {
-                      interaction.fit(selectedPoints(session, interaction), time, kFitTime);
+                 {[&session, &interaction](const CommandParameters &parameters,
+                                           double time) -> Result<void> {
+                      const Result<double> share = numberOf(parameters, "share", 1.0);
+                      if (!share)
+                          return tl::unexpected(share.error());
+                      if (!(*share >= kLeastShare && *share <= 1.0))
+                          return failure(ErrorCode::BadValue, "share",
+                                         {parameters.at("share"), "0.1 to 1"});
+                      if (*share == 1.0)
+                          interaction.fit(selectedPoints(session, interaction), time, kFitTime);
+                      else
+                          interaction.turnTo(fittedAmid(*share, session, interaction), time,
+                                             kFitTime);
                       return {};
                   },
                   needs(hasSelection, kNothingSelected)});

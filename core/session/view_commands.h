@@ -10,7 +10,8 @@ namespace fff {
 /// view.front … view.left, view.iso, view.fitAll, view.fitSelection, view.faceSelection,
 /// view.previous, view.hide, view.showAll, and the switches view.perspective, view.xray,
 /// view.isolate, view.clip and view.shadow, which take the parameter "on" ("true", "false"; without
-/// it they turn over).
+/// it they turn over). view.fitSelection takes "share", 0.1 to 1: the part of the view's width and
+/// height that the selection may take, 1 without it. With less it stays in sight of what is round.
 void registerViewCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
 
 /// The camera turned to an orientation so that the middle of what is selected, else of the model,

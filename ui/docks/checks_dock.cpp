@@ -344,9 +344,10 @@ void ChecksDock::choose(int row, bool frames)
         refresh(); // it says which of its places this is
     else
         markProblems();
-    if (frames)
-        m_bench.run(finding.sections.empty() ? QStringLiteral("view.fitAll")
-                                             : QStringLiteral("view.fitSelection"));
+    if (frames && finding.sections.empty())
+        m_bench.run(QStringLiteral("view.fitAll"));
+    else if (frames) // half of the view is for what is round it
+        m_bench.run(QStringLiteral("view.fitSelection"), {{"share", "0.5"}});
     m_area->ensureWidgetVisible(m_widgets[static_cast<std::size_t>(row)], 0, 0);
 }
 

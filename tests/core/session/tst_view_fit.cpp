@@ -171,6 +171,57 @@ private Q_SLOTS:
                    viewport, plainMargins(viewport));
     }
 
+    /// Who is led to a place has to see where in the model it is.
+    void aShareLeavesRoomAround()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/bridge.fff")));
+        const Model &model = desk.session.model();
+        const Vec2 viewport(860.0, 760.0);
+        desk.interaction.setViewport(viewport);
+        int halved = 0;
+        for (const Projection projection : {Projection::Orthographic, Projection::Perspective})
+            for (const char *name : kViews) {
+                Camera camera;
+                camera.projection = projection;
+                QVERIFY(orientationOfView(name, camera.orientation));
+                desk.interaction.fitAll(camera, desk.time, 0.0);
+                const double all = desk.interaction.camera().millimetresPerPixel;
+                for (std::size_t i = 0; i < model.sectionCount(); i += 7) {
+                    desk.interaction.select({model.ref(i)});
+                    desk.run("view.fitSelection", {{"share", "0.5"}});
+                    desk.wait(1000.0);
+                    ViewState view;
+                    for (std::size_t k = 0; k < model.sectionCount(); ++k)
+                        if (k != i)
+                            view.hidden.insert(model.ref(k));
+                    const Camera &now = desk.interaction.camera();
+                    const Vec2 size = outlineOf(model, now, viewport, view).size();
+                    const Vec2 most = 0.5 * 0.84 * viewport;
+                    const bool isWhole = std::abs(now.millimetresPerPixel / all - 1.0) < 1e-9;
+                    QVERIFY(isWhole || (size.array() < most.array() + kNear).all());
+                    QVERIFY(now.millimetresPerPixel < all * 1.001);
+                    QVERIFY(now.millimetresPerPixel > all / 6.0); // in perspective: about
+                    halved += size.cwiseQuotient(most).maxCoeff() > 0.98 ? 1 : 0;
+                }
+            }
+        QVERIFY(halved > 0);
+
+        // A small part of a large model: half of the view is not enough.
+        desk.session.reset(withSection(
+            withSection(newDocument(), polygonShape(rectangle(-200, 0, 200, 100)), front()),
+            polygonShape(rectangle(0, 0, 4, 4)), front(50)));
+        desk.interaction.fitAll(Camera(), desk.time, 0.0);
+        const double large = desk.interaction.camera().millimetresPerPixel;
+        desk.interaction.select({desk.session.model().ref(1)});
+        desk.run("view.fitSelection", {{"share", "0.5"}});
+        desk.wait(1000.0);
+        const double ratio = large / desk.interaction.camera().millimetresPerPixel;
+        QVERIFY2(ratio > 4.5 && ratio < 6.0, qPrintable(QString::number(ratio)));
+        QVERIFY(!desk.commands.run("view.fitSelection", {{"share", "0"}}, desk.time));
+        QVERIFY(!desk.commands.run("view.fitSelection", {{"share", "1.5"}}, desk.time));
+    }
+
     /// A dock that opens hides a part of the model, or leaves a hole beside it.
     void itFollowsTheRoomUntilSomebodyLooksCloser()
     {
