@@ -17,6 +17,27 @@ namespace {
 
 constexpr int kGlyphSize = 16; // px
 
+/// With the last press of the mouse on a row or a link.
+bool &isLinkClicked()
+{
+    static bool isClicked = false;
+    return isClicked;
+}
+
+/// Of a row: what the first press of a double click has mended is gone from under the cursor, and
+/// the second one would choose what came there.
+class SecondPress : public QObject
+{
+public:
+    explicit SecondPress(QObject *row) : QObject(row) { row->installEventFilter(this); }
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        if (event->type() == QEvent::MouseButtonPress)
+            isLinkClicked() = false;
+        return event->type() == QEvent::MouseButtonDblClick && isLinkClicked();
+    }
+};
+
 QLabel *label(QWidget *parent)
 {
     auto *made = new QLabel(parent);
@@ -48,7 +69,11 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     m_text->setFont(small);
     m_links = new LinkRow(this);
     m_links->setFont(small);
-    connect(m_links, &LinkRow::clicked, this, &CheckRow::linkClicked);
+    connect(m_links, &LinkRow::clicked, this, [this](int index, bool isByKey) {
+        isLinkClicked() = !isByKey;
+        Q_EMIT linkClicked(index, isByKey);
+    });
+    new SecondPress(this);
     connect(m_links, &LinkRow::hovered, this, &CheckRow::linkHovered);
 
     auto *words = new QVBoxLayout;

@@ -6,6 +6,7 @@
 #include <QCursor>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
@@ -88,6 +89,8 @@ protected:
         lastClick() = QCursor::pos();
         QAbstractButton::mousePressEvent(event);
     }
+    /// Once is enough, and what is under the cursor by then may be another link.
+    void mouseDoubleClickEvent(QMouseEvent *event) override { event->accept(); }
     void keyPressEvent(QKeyEvent *event) override
     {
         m_isByKey = true;
