@@ -7934,6 +7934,11 @@
     <message>
         <source>%1: %2</source>
         <comment>why</comment>
+    <message>
+        <source>Done: %1.</source>
+        <extracomment>%1 is what a link did, as it was said before: &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
+        <translation>Erledigt: %1.</translation>
+    </message>
         <extracomment>where an action is in the menus, and why it cannot be done now</extracomment>
         <translation>%1: %2</translation>
     </message>

@@ -92,6 +92,7 @@ target_sources(fff_ui PRIVATE
     docks/section_page.cpp
     docks/templates_dock.cpp
     files/document_files.cpp
+    docks/checks_dock_links.cpp
     files/mesh_import.cpp
     files/export_targets.cpp
     files/exporting.cpp

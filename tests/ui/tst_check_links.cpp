@@ -6,9 +6,11 @@
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
+#include "ui/base/sentence_label.h"
 #include "ui/docks/check_row.h"
 
 #include <QAbstractButton>
+#include <QLabel>
 
 using namespace fff;
 using namespace fff::test;
@@ -24,6 +26,9 @@ private Q_SLOTS:
 
     void theHandGoesOnInTheView();
     void whoWorksWithKeysStaysThere();
+    void itSaysWhatWasDone();
+    void theSecondPressDoesNothing();
+    void aClickShowsWhereInTheModelItIs();
 
 private:
     CheckRow *row() const { return m_window->findChild<CheckRow *>(QStringLiteral("checkRow0")); }
@@ -31,6 +36,20 @@ private:
     {
         return row() ? row()->findChild<QAbstractButton *>(QStringLiteral("checkLink0")) : nullptr;
     }
+    /// Twice: what a cursor comes to rest on was not pointed at (ui/properties/link_row.h).
+    void pointAt(const QWidget *widget)
+    {
+        m_at = widget->mapTo(m_window.get(), widget->rect().center());
+        for (const QPoint &place : {m_at - QPoint(1, 0), m_at})
+            QTest::mouseMove(m_window->windowHandle(), place, 5);
+    }
+    void pressAndRelease()
+    {
+        QTest::mousePress(m_window->windowHandle(), Qt::LeftButton, {}, m_at, 5);
+        QTest::mouseRelease(m_window->windowHandle(), Qt::LeftButton, {}, m_at, 5);
+    }
+
+    QPoint m_at; // in the window
 };
 
 /// A crate that hangs above the ground.
@@ -73,6 +92,61 @@ void TestCheckLinks::whoWorksWithKeysStaysThere()
     QCOMPARE(steps(), 1);
     QTRY_VERIFY(row()->accessibleName().startsWith(QStringLiteral("Good")));
     QVERIFY(!m_view->hasFocus());
+}
+
+// Wrong: what was promised and what was done are two different sentences, or the latter is gone as
+// soon as another row comes to be under the cursor.
+void TestCheckLinks::itSaysWhatWasDone()
+{
+    const auto *status = m_window->findChild<SentenceLabel *>(QStringLiteral("statusSentence"));
+    pointAt(link());
+    const QString before = QStringLiteral("If you click: "), after = QStringLiteral("Done: ");
+    QTRY_VERIFY(status->text().startsWith(before));
+    const QString promised = status->text().mid(before.size());
+    pressAndRelease();
+    QCOMPARE(steps(), 1);
+    QCOMPARE(status->text(), after + promised);
+    QTRY_VERIFY(row()->accessibleName().startsWith(QStringLiteral("Good")));
+    QCOMPARE(status->text(), after + promised);
+}
+
+// Wrong: the row that comes under the cursor when the one above it is mended is clicked.
+void TestCheckLinks::theSecondPressDoesNothing()
+{
+    pointAt(link());
+    pressAndRelease();
+    QCOMPARE(steps(), 1);
+    QTRY_VERIFY(row()->accessibleName().startsWith(QStringLiteral("Good")));
+    const QWidget *under = m_window->childAt(m_at);
+    while (under && !qobject_cast<const CheckRow *>(under))
+        under = under->parentWidget();
+    const auto *now = qobject_cast<const CheckRow *>(under);
+    QVERIFY(now); // or it could not be clicked anyway
+    const Camera before = interaction().targetCamera();
+    QTest::lastMouseTimestamp -= QTest::mouseDoubleClickInterval - 50; // it is a double click
+    pressAndRelease();
+    QVERIFY(!now->isChecked());
+    QVERIFY(interaction().targetCamera() == before);
+    QCOMPARE(steps(), 1);
+    pressAndRelease(); // this one is meant
+    QVERIFY(now->isChecked());
+}
+
+// Wrong: the view is full of one section, and nobody knows where it is.
+void TestCheckLinks::aClickShowsWhereInTheModelItIs()
+{
+    Document crate = eggCrate(12, 12);
+    crate = withSection(std::move(crate), polygonShape(rectangle(0, 0, 8, 8)), front(20));
+    session().reset(crate);
+    QTRY_VERIFY(row() && row()->accessibleName().startsWith(QStringLiteral("Problem 1")));
+    bench().run(QStringLiteral("view.fitAll"));
+    const double all = interaction().targetCamera().millimetresPerPixel;
+    pointAt(row()->findChild<QLabel *>(QStringLiteral("checkTitle")));
+    pressAndRelease();
+    QVERIFY(row()->isChecked());
+    QCOMPARE(interaction().selection().size(), std::size_t(1));
+    const double now = interaction().targetCamera().millimetresPerPixel;
+    QVERIFY(now < 0.9 * all && now > all / 6.0);
 }
 
 FFF_TEST_WITH(TestCheckLinks, runInWindowProgram<TestCheckLinks>)

@@ -1,10 +1,5 @@
 #include "ui/docks/checks_dock.h"
 
-#include "core/analysis/findings/narrow_slits.h"
-#include "core/analysis/findings/not_worked_out.h"
-#include "core/analysis/findings/order.h"
-#include "core/analysis/findings/sheet_fit.h"
-#include "core/analysis/findings/strengthening.h"
 #include "core/assembly/joint_state.h"
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
@@ -19,8 +14,6 @@
 #include "ui/settings/settings.h"
 
 #include <QAction>
-#include <QDesktopServices>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -30,10 +23,8 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QTransform>
-#include <QUrl>
 
 #include <algorithm>
-#include <utility>
 
 namespace fff::ui {
 
@@ -411,85 +402,6 @@ void ChecksDock::choose(const Finding &finding)
         return choose(static_cast<int>(i), true);
     }
     choose(finding.subject());
-}
-
-/// The stock of what it is about.
-void ChecksDock::showStock(const Finding &finding)
-{
-    const Model &model = m_bench.session().model();
-    const int at = finding.sections.empty() ? -1 : model.indexOf(finding.sections.front());
-    Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
-}
-
-/// Whether it is an edit.
-bool ChecksDock::act(int row, int index)
-{
-    const CheckEntry::Offer &offer = entryAt(row).offers[static_cast<std::size_t>(index)];
-    const FindingAction action = offer.mend.action; // the rows change with the model
-    const Finding finding = offer.finding;
-    if (isEdit(*action.kind)) {
-        carryOut(action, finding);
-        return true;
-    }
-    if (action.kind == &kShowSteps) {
-        Q_EMIT stepsWanted();
-    } else if (action.kind == &kChooseSheet || action.kind == &kWidenSlits ||
-               action.kind == &kEnterStrength) {
-        showStock(finding);
-    } else if (action.kind == &kTryAgain) {
-        m_list.scheduler().tryAgain(finding.details<StageFailure>()->stage);
-    } else if (action.kind == &kShowReport) {
-        QDesktopServices::openUrl(
-            QUrl::fromLocalFile(QFileInfo(m_list.reportOf(finding)).absolutePath()));
-    }
-    return false;
-}
-
-/// On the model that is there now, which the row may be older than. The window does not wait until
-/// that is judged.
-void ChecksDock::carryOut(const FindingAction &action, const Finding &finding)
-{
-    m_wish = {action, finding};
-    if (m_list.areMendsOf(m_bench.session().committed()))
-        carryOutWish();
-    else
-        Q_EMIT said(tr("Still checking. This will be done as soon as the result is known."));
-}
-
-void ChecksDock::carryOutWish()
-{
-    const auto [action, finding] = *std::exchange(m_wish, {});
-    const Mend *mend = m_bench.session().hasPreview() ? nullptr : m_list.mendFor(action, finding);
-    if (!mend) {
-        Q_EMIT said(tr("The model has changed; this can no longer be done."));
-        return;
-    }
-    const FindingEdit edit = *mend->edit; // it goes with the model
-    m_isTrying = false;
-    m_bench.setTried(nullptr);
-    m_bench.commit(edit.step, edit.document);
-    const Message &done = edit.said.isEmpty() ? edit.step.words : edit.said;
-    Q_EMIT said(messageText(done).toHtmlEscaped());
-}
-
-void ChecksDock::tryOut(int row, int index, bool isOver)
-{
-    const Mend *mend = nullptr;
-    if (isOver && row < static_cast<int>(m_rows.size())) {
-        const std::vector<CheckEntry::Offer> &offers = entryAt(row).offers;
-        if (index < static_cast<int>(offers.size()))
-            mend = &offers[static_cast<std::size_t>(index)].mend;
-    }
-    // Over a drag, or an older row, it would show something else than it does.
-    const bool isOfNow = mend && mend->tried && !m_bench.session().hasPreview() &&
-                         m_list.age() == CheckList::Age::Current;
-    m_bench.setTried(isOfNow ? mend->tried : nullptr);
-    if (isOfNow)
-        //: %1 is what a link would do, such as "6 joints flipped, 1 problem solved"
-        Q_EMIT said(tr("If you click: %1.").arg(messageText(mend->changes)).toHtmlEscaped());
-    else if (m_isTrying)
-        Q_EMIT said(QString()); // that is over
-    m_isTrying = isOfNow;
 }
 
 } // namespace fff::ui
