@@ -35,6 +35,7 @@ target_sources(fff_ui PRIVATE
     bench/stress_picture.cpp
     bench/viewport.cpp
     bench/workbench.cpp
+    bench/viewport_marks.cpp
     cards/card_grid.cpp
     cards/model_card.cpp
     cards/thumbnails.cpp
@@ -91,8 +92,8 @@ target_sources(fff_ui PRIVATE
     docks/properties_header.cpp
     docks/section_page.cpp
     docks/templates_dock.cpp
-    files/document_files.cpp
     docks/checks_dock_links.cpp
+    files/document_files.cpp
     files/mesh_import.cpp
     files/export_targets.cpp
     files/exporting.cpp

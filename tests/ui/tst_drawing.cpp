@@ -183,6 +183,17 @@ void TestDrawing::offerIsClicked()
     QVERIFY(interaction().hasOffer());
     QTest::qWait(50); // it is painted
     const QPoint words = middle() + QPoint(0, 124 + 20);
+    // Inside its frame, above the words: light, and filled while the cursor is on it.
+    const auto ground = [this, words] {
+        return m_view->grabFramebuffer().pixelColor(words - QPoint(0, 9));
+    };
+    const QColor before = ground();
+    QVERIFY(before.lightness() > 240);
+    QTest::mouseMove(m_view, words);
+    QTRY_COMPARE(m_view->cursor().shape(), Qt::PointingHandCursor);
+    QTRY_VERIFY(ground().lightness() < 120);
+    QTest::mouseMove(m_view, words + QPoint(0, 60));
+    QTRY_COMPARE(ground(), before);
     QTest::mouseMove(m_view, words);
     QTRY_COMPARE(m_view->cursor().shape(), Qt::PointingHandCursor);
     QTest::mouseClick(m_view, Qt::LeftButton, {}, words);

@@ -71,6 +71,7 @@ private:
     void rebuildScene();
     void watchAnalysis();
     bool isOnOffer(const QPointF &place) const;
+    void setOnOffer(bool isOn);
     void paintMarks();
     void lookForCovers();
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kChipHeight = 22.0, kChipPadding = 16.0; // px
 constexpr double kWordsHeight = 16.0;                     // px, of bare ones
+constexpr double kButtonHeight = 28.0, kButtonPadding = 24.0; // px
 constexpr double kManyLines = 1e4;                        // px, more than words take
 constexpr double kLeader = 1.4;                           // px
 /// What steps aside by no more is still beside what it names, px.
@@ -101,10 +102,12 @@ QFont MarkPen::fontOf(const Chip &chip) const
 Vec2 MarkPen::sizeOf(const Chip &chip) const
 {
     const QFontMetricsF metrics(fontOf(chip));
-    const double padding = chip.isFramed ? kChipPadding : 2.0;
+    const double padding = chip.isButton ? kButtonPadding : chip.isFramed ? kChipPadding : 2.0;
     const double most = m_viewport.x() - 2.0 * LabelRoom::kEdge - padding;
     const double inOneLine = metrics.horizontalAdvance(chip.text);
-    const double height = chip.isFramed ? kChipHeight : kWordsHeight;
+    const double height = chip.isButton   ? kButtonHeight
+                          : chip.isFramed ? kChipHeight
+                                          : kWordsHeight;
     if (chip.longest <= 0.0 || inOneLine <= std::min(chip.longest, most))
         return {std::min(inOneLine, most) + padding, height};
     const QRectF room(0.0, 0.0, std::min(chip.longest, most), kManyLines);
@@ -171,7 +174,7 @@ void MarkPen::paintChip(const Chip &chip, const QRectF &box)
     const QFont font = fontOf(chip);
     m_painter.setFont(font);
     const QFontMetricsF metrics(font);
-    const bool isWrapped = box.height() > kChipHeight;
+    const bool isWrapped = !chip.isButton && box.height() > kChipHeight;
     const QString text =
         isWrapped ? chip.text : metrics.elidedText(chip.text, Qt::ElideRight, box.width());
     if (!chip.isFramed) {
@@ -181,15 +184,33 @@ void MarkPen::paintChip(const Chip &chip, const QRectF &box)
         m_painter.fillPath(words, chip.colour);
         return;
     }
-    m_painter.setPen(QPen(chip.frame.isValid() ? chip.frame : chip.colour, 1.0));
-    m_painter.setBrush(faded(m_style.panel, 0.96));
-    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
-    m_painter.setPen(chip.colour);
+    paintBox(chip, box);
+    m_painter.setPen(chip.isLit ? m_style.panel : chip.colour);
     if (isWrapped)
         m_painter.drawText(box.adjusted(0.5 * kChipPadding, 0.0, -0.5 * kChipPadding + 1.0, 0.0),
                            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
     else
         m_painter.drawText(box, Qt::AlignCenter, text);
+}
+
+/// A button stands out from the view, and is filled while the cursor is on it.
+void MarkPen::paintBox(const Chip &chip, const QRectF &box)
+{
+    const QColor &frame = chip.frame.isValid() ? chip.frame : chip.colour;
+    const QRectF inside = QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    if (!chip.isButton) {
+        m_painter.setPen(QPen(frame, 1.0));
+        m_painter.setBrush(faded(m_style.panel, 0.96));
+        m_painter.drawRoundedRect(inside, 3.0, 3.0);
+        return;
+    }
+    const QRectF face = inside.adjusted(0.5, 0.5, -0.5, -2.5);
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(frame);
+    m_painter.drawRoundedRect(face.translated(0.0, 2.0), 4.0, 4.0); // its lower edge
+    m_painter.setPen(QPen(frame, 1.5));
+    m_painter.setBrush(chip.isLit ? frame : m_style.panel);
+    m_painter.drawRoundedRect(face, 4.0, 4.0);
 }
 
 } // namespace fff::ui

@@ -59,6 +59,8 @@ public:
         QColor frame = {};                 // invalid: as its words
         bool isFramed = true;              // else bare words on a casing
         double longest = 0.0;              // of its lines, px; 0: it is one line
+        bool isButton = false;             // it can be clicked, and looks like it
+        bool isLit = false;                // the cursor is on that
         QRectF *told = nullptr;            // where it came to be, px; empty: nowhere
     };
     /// Words in a box with a frame in their colour. They are placed and painted by paintChips(), so
@@ -85,6 +87,7 @@ private:
     Vec2 sizeOf(const Chip &chip) const;
     void paintLeader(const Chip &chip, const QRectF &box);
     void paintChip(const Chip &chip, const QRectF &box);
+    void paintBox(const Chip &chip, const QRectF &box);
 
     QPainter &m_painter;
     const Camera &m_camera;

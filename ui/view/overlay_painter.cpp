@@ -115,7 +115,7 @@ private:
 void Drawing::signs()
 {
     const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation, m_scene.unit,
-                          m_scene.offer};
+                          m_scene.offer, m_scene.isOfferLit};
     paintSigns(m_pen,
                {&m_scene.selected, &m_scene.overlay.drawn, &m_scene.dimensions,
                 &m_scene.overlay.held, &m_scene.overlay.offered},

@@ -51,6 +51,7 @@ struct OverlayScene
     std::vector<ProblemMark> problemMarks = {}; // that `marks` stand for
     std::vector<QRectF> covered = {};           // by what stands over the view, px: no words there
     QRectF *offer = nullptr;                    // is told where the words of an offer are, px
+    bool isOfferLit = false;                    // the cursor is on them
     std::vector<QRectF> *words = nullptr;       // is told where all words that were placed are, px
 };
 

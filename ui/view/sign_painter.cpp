@@ -125,8 +125,9 @@ public:
     {
         if (m_layer != Layer::Lengths)
             return;
-        paintSign(m_pen, label, m_scene.unit, m_locale,
-                  label.role == SignRole::Offer ? m_scene.offer : nullptr);
+        const bool isOffer = label.role == SignRole::Offer;
+        paintSign(m_pen, label, m_scene.unit, m_locale, isOffer ? m_scene.offer : nullptr,
+                  isOffer && m_scene.isOfferLit);
     }
     void operator()(const sign::Region &region)
     {
@@ -239,7 +240,7 @@ void paintSign(MarkPen &pen, const sign::Handle &handle)
 }
 
 void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale,
-               QRectF *told)
+               QRectF *told, bool isLit)
 {
     QPointF middle;
     for (const Vec3 &place : label.places)
@@ -255,6 +256,8 @@ void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QL
               .colour = colour,
               .rank = rankOf(label.role),
               .names = middle,
+              .isButton = label.role == SignRole::Offer,
+              .isLit = isLit,
               .told = told});
 }
 

@@ -16,9 +16,11 @@ namespace fff::ui {
 void paintSign(MarkPen &pen, const sign::Line &line);
 void paintSign(MarkPen &pen, const sign::Curve &curve);
 void paintSign(MarkPen &pen, const sign::Handle &handle);
-/// told  where its words come to be, px; may be null
+/// One that is an offer is a button.
+/// told   where its words come to be, px; may be null
+/// isLit  the cursor is on it
 void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale,
-               QRectF *told = nullptr);
+               QRectF *told = nullptr, bool isLit = false);
 void paintSign(MarkPen &pen, const sign::Region &region);
 void paintSign(MarkPen &pen, const sign::Capsule &capsule);
 void paintSign(MarkPen &pen, const sign::Arrow &arrow);
@@ -32,6 +34,7 @@ struct SignScene
     const OperationKind *operation = nullptr; // whose handles there are
     LengthUnit unit = LengthUnit::Millimetre;
     QRectF *offer = nullptr; // is told where the words of an offer are
+    bool isOfferLit = false; // the cursor is on them
 };
 
 /// All of them, what lies under others first, whatever the order in which they came. Leaves the
