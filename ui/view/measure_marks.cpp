@@ -15,6 +15,12 @@ namespace {
 
 constexpr double kLabelGap = 62.0;             // px, between labels of a ruler
 constexpr double kRulerMargin = 44.0;          // px to the view's edge
+constexpr double kLowerMargin = 64.0;          // to its lower one, where the scale bar stands
+constexpr double kOverCover = 28.0;            // and over what stands there, with its numbers
+/// What stands over the view stands at its lower edge from there on, part of its height.
+constexpr double kAtLowerEdge = 0.75;
+/// The ground is level in a plane whose upward axis rises by more (no unit).
+constexpr double kUpright = 0.1;
 constexpr double kTick = 4.0, kLongTick = 8.0; // px
 constexpr int kMostTicks = 2000;
 
@@ -49,6 +55,24 @@ public:
     }
 
 private:
+    double lowerMargin() const
+    {
+        const Vec2 &viewport = m_pen.viewport();
+        double margin = kLowerMargin;
+        for (const Box2 &box : m_pen.room().taken())
+            if (box.min.y() > kAtLowerEdge * viewport.y() && box.size().x() > box.size().y())
+                margin = std::max(margin, viewport.y() - box.min.y() + kOverCover);
+        return margin;
+    }
+
+    /// Where the ground is along the grid's y; nothing where that does not lead up.
+    std::optional<double> ground() const
+    {
+        if (std::abs(m_grid.y.y()) < kUpright)
+            return std::nullopt;
+        return -m_grid.origin.y() / m_grid.y.y();
+    }
+
     /// What is seen of the canvas' plane for certain, grid coordinates; nothing where it is seen
     /// on edge.
     std::optional<Box2> visible() const
@@ -57,7 +81,7 @@ private:
         std::array<double, 4> x{}, y{};
         for (std::size_t i = 0; i < 4; ++i) {
             const Vec2 corner((i & 1U) != 0 ? viewport.x() - kRulerMargin : kRulerMargin,
-                              (i & 2U) != 0 ? viewport.y() - kRulerMargin : kRulerMargin);
+                              (i & 2U) != 0 ? viewport.y() - lowerMargin() : kRulerMargin);
             const auto at = pointOnPlane(m_pen.camera(), viewport, m_grid, corner);
             if (!at)
                 return std::nullopt;
@@ -76,15 +100,15 @@ private:
     {
         const int other = 1 - axis;
         Vec2 at = Vec2::Zero();
-        // Both below and left of what is drawn, as it is seen.
+        // Both below and left of what is drawn, as it is seen: one that crosses it is in the way.
         const bool isUpright =
             std::abs(m_pen.camera().up().dot(axis == 0 ? m_grid.x : m_grid.y)) >
             std::abs(m_pen.camera().right().dot(axis == 0 ? m_grid.x : m_grid.y));
         const Vec3 &across = other == 0 ? m_grid.x : m_grid.y;
-        const bool isFlipped = m_pen.camera().right().dot(across) < 0.0;
-        at[other] = !isUpright  ? std::clamp(0.0, seen.min[other], seen.max[other])
-                    : isFlipped ? seen.max[other]
-                                : seen.min[other];
+        const Vec3 ahead = isUpright ? m_pen.camera().right() : m_pen.camera().up();
+        at[other] = ahead.dot(across) < 0.0 ? seen.max[other] : seen.min[other];
+        if (const std::optional<double> level = ground(); level && axis == 0 && !isUpright)
+            at[other] = std::clamp(*level, seen.min[other], seen.max[other]);
         at[axis] = 0.5 * (seen.min[axis] + seen.max[axis]);
         const double pixel = m_pen.camera().scaleAt(m_grid.toWorld(at), m_pen.viewport());
         const double perUnit = millimetresPer(m_unit);

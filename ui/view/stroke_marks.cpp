@@ -98,6 +98,25 @@ void paintCursor(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, cons
              pen.style().muted, MarkPen::Rank::InHand);
 }
 
+/// Where the contour goes through the ground, px: to a chord of its curves.
+std::vector<QPointF> cutEnds(const MarkPen &pen, const Contour &contour, const Frame &canvas)
+{
+    constexpr int kChords = 16; // of a curve
+    std::vector<QPointF> ends;
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        const CubicBezier curve = contour.segment(i);
+        Vec3 before = canvas.toWorld(curve.p0);
+        for (int k = 1; k <= kChords; ++k) {
+            const Vec3 at = canvas.toWorld(curve.at(static_cast<double>(k) / kChords));
+            if ((before.y() < 0.0) != (at.y() < 0.0))
+                ends.push_back(
+                    pen.screen(before + before.y() / (before.y() - at.y()) * (at - before)));
+            before = at;
+        }
+    }
+    return ends;
+}
+
 /// px from the lower edge of the view to where the line is under the middle of that; 0 where it is
 /// in sight there, or is not level.
 double belowTheView(const MarkPen &pen, const QPainterPath &line)
@@ -120,19 +139,16 @@ void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas)
 
 void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, const Vec2 &cursor)
 {
-    std::vector<QPointF> below;
-    for (const Vec2 &p : contour.points()) {
-        if (canvas.toWorld(p).y() < 0.0)
-            below.push_back(pen.screen(canvas.toWorld(p)));
-    }
-    if (below.empty())
+    const std::vector<QPointF> ends = cutEnds(pen, contour, canvas);
+    if (ends.empty())
         return;
     const auto isLeft = [](const QPointF &a, const QPointF &b) { return a.x() < b.x(); };
-    const auto [left, right] = std::minmax_element(below.begin(), below.end(), isLeft);
+    const auto [left, right] = std::minmax_element(ends.begin(), ends.end(), isLeft);
     // Where the cursor is there are words already.
     const double x = pen.screen(canvas.toWorld(cursor)).x();
     const bool isRight = x - left->x() < right->x() - x;
-    pen.chip(isRight ? *right + QPointF(24.0, 16.0) : *left + QPointF(-24.0, 16.0),
+    constexpr double kBeside = 12.0, kUnder = 17.0; // px, of where the cut ends
+    pen.chip(isRight ? *right + QPointF(kBeside, kUnder) : *left + QPointF(-kBeside, kUnder),
              isRight ? MarkPen::Anchor::Left : MarkPen::Anchor::Right,
              StrokeMarksTexts::tr("Cut flat at the ground"), pen.style().muted,
              MarkPen::Rank::InHand);

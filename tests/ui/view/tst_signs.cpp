@@ -1,10 +1,12 @@
 // Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
+#include "core/interaction/snapping.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 #include "tests/ui/push_tool.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/sign_looks.h"
 #include "ui/view/sign_painter.h"
+#include "ui/view/stroke_marks.h"
 
 #include <QGuiApplication>
 #include <QImage>
@@ -85,6 +87,8 @@ private Q_SLOTS:
     void aToolOfItsOwnIsSeen();
     void aLabelSaysItsMessage();
     void everyKindIsSeen();
+    void rulersKeepOffWhatIsDrawn();
+    void wordsOfACutStandBesideIt();
     void whatLiesUnderWhatIsNoMatterOfTheOrder();
 };
 
@@ -168,6 +172,70 @@ void TestSigns::whatLiesUnderWhatIsNoMatterOfTheOrder()
             return std::holds_alternative<sign::Line>(sign);
         });
         QCOMPARE(together(static_cast<std::size_t>(i) % (all.size() + 1)), first);
+    }
+}
+
+// Wrong: a ruler runs through the middle of the section that it measures, or through the scale bar.
+void TestSigns::rulersKeepOffWhatIsDrawn()
+{
+    for (const Vec2 &size : {Vec2(860.0, 760.0), Vec2(713.0, 496.0)})
+        for (const char *view : {"front", "back", "right", "left", "top", "bottom"})
+            for (const double height : {30.0, 90.0, 400.0}) { // of the section's middle
+                Camera camera;
+                QVERIFY(orientationOfView(view, camera.orientation));
+                // A square of 60 mm that faces the eye.
+                Frame canvas{{0.0, height, 0.0}, camera.right(), camera.up()};
+                camera.target = canvas.origin;
+                camera.millimetresPerPixel = 0.25;
+                canvas = ownGrid(canvas, camera.orientation);
+                QImage image(static_cast<int>(size.x()), static_cast<int>(size.y()),
+                             QImage::Format_ARGB32_Premultiplied);
+                image.fill(Qt::transparent);
+                QPainter painter(&image);
+                MarkPen pen(painter, camera, size, kStyle);
+                Signs signs;
+                signs.add(sign::Rulers{canvas});
+                paintSigns(pen, {&signs}, {}, QLocale::c());
+                painter.end();
+                const auto ink = [&image](const QRect &where) {
+                    int found = 0;
+                    for (int y = where.top(); y <= where.bottom(); ++y)
+                        for (int x = where.left(); x <= where.right(); ++x)
+                            found += qAlpha(image.pixel(x, y)) > 0 ? 1 : 0;
+                    return found;
+                };
+                const QPoint middle(image.width() / 2, image.height() / 2);
+                QCOMPARE(ink({middle - QPoint(119, 119), QSize(238, 238)}), 0);
+                // Bar and number, at the lower left.
+                QCOMPARE(ink({0, image.height() - 37, 180, 37}), 0);
+                QVERIFY(ink(image.rect()) > 1000);
+            }
+}
+
+// Wrong: the words stand far from the cut, by a control point that nobody sees.
+void TestSigns::wordsOfACutStandBesideIt()
+{
+    // A leg that is 40 mm wide at the ground, and bulges below it.
+    const Contour leg = Contour::ofSegments({{{-20, 60}, {-20, 40}, {-20, 20}, {-20, 0}},
+                                             {{-20, 0}, {-120, -80}, {120, -80}, {20, 0}},
+                                             {{20, 0}, {20, 20}, {20, 40}, {20, 60}},
+                                             {{20, 60}, {10, 60}, {-10, 60}, {-20, 60}}});
+    Camera camera;
+    camera.target = Vec3(0.0, 20.0, 0.0);
+    camera.millimetresPerPixel = 0.4;
+    const Vec2 size(800.0, 600.0);
+    QImage image(800, 600, QImage::Format_ARGB32_Premultiplied);
+    for (const double cursor : {-30.0, 30.0}) {
+        QPainter painter(&image);
+        MarkPen pen(painter, camera, size, kStyle);
+        paintCutChip(pen, leg, Frame(), {cursor, 40.0});
+        const std::vector<QRectF> boxes = pen.paintChips();
+        QCOMPARE(boxes.size(), std::size_t(1));
+        const Vec2 cut = camera.toScreen({cursor < 0.0 ? 20.0 : -20.0, 0.0, 0.0}, size);
+        const QRectF &box = boxes.front();
+        const double off = cursor < 0.0 ? box.left() - cut.x() : cut.x() - box.right();
+        QVERIFY(off > 0.0 && off < 20.0);
+        QVERIFY(box.top() >= cut.y() && box.top() < cut.y() + 12.0);
     }
 }
 
