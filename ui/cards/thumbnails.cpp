@@ -20,9 +20,12 @@ namespace fff::ui {
 namespace {
 
 // Counts up when pictures look different, so that old ones are not used any more.
-constexpr int kLook = 2;
+constexpr int kLook = 3;
 // So many times as large a view would have lines of a pixel.
 constexpr double kLineShare = 2.5;
+// So many times as many pixels each way as the screen shows: thin lines are steps otherwise, and a
+// window that is moved to a finer screen has them already.
+constexpr double kFineness = 2.0;
 
 const QString kSections = QStringLiteral("Sections"); // a text in the picture's file
 
@@ -107,7 +110,7 @@ bool Thumbnails::takeKept(const Job &job)
     QImage picture(job.kept);
     if (picture.isNull())
         return false;
-    picture.setDevicePixelRatio(job.pixelRatio);
+    picture.setDevicePixelRatio(kFineness * job.pixelRatio);
     Q_EMIT ready(job.path, picture, picture.text(kSections).toInt());
     return true;
 }
@@ -150,9 +153,10 @@ void Thumbnails::drawNext()
         const Scene scene = sceneOf(*job.analysis);
         // Lines are as thin as in a larger picture that was made small.
         const Vec2 drawn = kLineShare * size;
+        const double pixelRatio = kFineness * job.pixelRatio;
         QImage picture = m_painter->paint(scene, cameraFor(scene, "iso1", drawn), drawn,
-                                          job.pixelRatio / kLineShare, theme().viewStyle());
-        picture.setDevicePixelRatio(job.pixelRatio);
+                                          pixelRatio / kLineShare, theme().viewStyle());
+        picture.setDevicePixelRatio(pixelRatio);
         const int count = static_cast<int>(job.analysis->model.sectionCount());
         if (!picture.isNull()) {
             picture.setText(kSections, QString::number(count));

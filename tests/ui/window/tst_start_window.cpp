@@ -5,11 +5,15 @@
 #include "tests/ui/window_program.h"
 #include "ui/bench/workbench.h"
 #include "ui/cards/card_grid.h"
+#include "ui/cards/thumbnails.h"
 #include "ui/dialogs/help_window.h"
 #include "ui/window/main_window.h"
 
 #include <QDockWidget>
+#include <QFile>
+#include <QImage>
 #include <QLocale>
+#include <QTemporaryDir>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolBar>
@@ -70,6 +74,29 @@ private Q_SLOTS:
         QCOMPARE(shownDocks(window), 0);
         window.showDocument();
         QVERIFY(shownDocks(window) > 0);
+    }
+
+    /// Wrong: on a fine screen, or one that the window is moved to, lines are steps.
+    void picturesAreFinerThanTheScreen()
+    {
+        const QTemporaryDir folder;
+        const QString file = QStringLiteral(":/samples/fish.fff");
+        QVERIFY(QFile::exists(file));
+        for (const double ratio : {1.0, 2.0}) {
+            QSize drawn;
+            for (const char *from : {"drawn", "kept"}) {
+                Thumbnails thumbnails({176, 100}, folder.path());
+                QImage picture;
+                connect(&thumbnails, &Thumbnails::ready, this,
+                        [&picture](const QString &, const QImage &ready) { picture = ready; });
+                thumbnails.request(file, ratio);
+                QTRY_VERIFY2_WITH_TIMEOUT(!picture.isNull(), from, 20000);
+                QCOMPARE(picture.deviceIndependentSize(), QSizeF(176, 100));
+                QVERIFY(picture.width() >= 2 * 176 * ratio);
+                QVERIFY(drawn.isEmpty() || drawn == picture.size());
+                drawn = picture.size();
+            }
+        }
     }
 
     void oneRowOfCards()
