@@ -115,19 +115,29 @@ private Q_SLOTS:
         QFETCH(int, scheme);
         QFETCH(bool, isSystemDark);
         use(scheme, isSystemDark);
-        FieldStyle style;
-        QStyleOptionButton option;
-        option.rect = {4, 4, 14, 14};
-        option.palette = theme().palette();
-        option.state = QStyle::State_Enabled | QStyle::State_Off;
-        QImage image(22, 22, QImage::Format_RGB32);
-        image.fill(theme().window);
-        QPainter painter(&image);
-        style.drawPrimitive(QStyle::PE_IndicatorCheckBox, &option, &painter, nullptr);
-        painter.end();
+        const QImage image = checkBox(QStyle::State_Enabled | QStyle::State_Off);
         for (int i = 8; i < 14; ++i) { // between the corners
             QVERIFY(contrast(image.pixelColor(i, 4), theme().window) >= 3.0 - 1e-9);
             QVERIFY(contrast(image.pixelColor(4, i), theme().window) >= 3.0 - 1e-9);
+        }
+    }
+
+    void aDisabledCheckBoxIsFainter_data() { everyTextCanBeRead_data(); }
+
+    /// Wrong: in high contrast what cannot be checked is the boldest box on the page.
+    void aDisabledCheckBoxIsFainter()
+    {
+        QFETCH(int, scheme);
+        QFETCH(bool, isSystemDark);
+        use(scheme, isSystemDark);
+        for (const QStyle::StateFlag checked : {QStyle::State_Off, QStyle::State_On}) {
+            const QImage on = checkBox(QStyle::State_Enabled | checked), off = checkBox(checked);
+            for (int i = 8; i < 14; ++i)
+                for (const QPoint &at : {QPoint(i, 4), QPoint(4, i)}) {
+                    const double faint = contrast(off.pixelColor(at), theme().window);
+                    QVERIFY(faint < 0.8 * contrast(on.pixelColor(at), theme().window));
+                    QVERIFY(faint > 1.15); // it is there
+                }
         }
     }
 
@@ -153,6 +163,23 @@ private Q_SLOTS:
     }
 
 private:
+    /// On the window's ground, 4 px from the edges.
+    static QImage checkBox(QStyle::State state)
+    {
+        FieldStyle style;
+        QStyleOptionButton option;
+        option.rect = {4, 4, 14, 14};
+        option.palette = theme().palette();
+        if (!state.testFlag(QStyle::State_Enabled))
+            option.palette.setCurrentColorGroup(QPalette::Disabled);
+        option.state = state;
+        QImage image(22, 22, QImage::Format_RGB32);
+        image.fill(theme().window);
+        QPainter painter(&image);
+        style.drawPrimitive(QStyle::PE_IndicatorCheckBox, &option, &painter, nullptr);
+        return image;
+    }
+
     static void use(int scheme, bool isSystemDark)
     {
         const QPalette before = QApplication::palette();

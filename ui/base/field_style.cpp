@@ -20,8 +20,9 @@ void drawBorder(QPainter *painter, const QStyleOption *option)
 {
     const bool focused = option->state.testFlag(QStyle::State_HasFocus);
     QColor colour = focused ? theme().accent : theme().strong;
-    if (!option->state.testFlag(QStyle::State_Enabled))
-        colour = theme().border;
+    if (!option->state.testFlag(QStyle::State_Enabled)) // in high contrast separators are black
+        colour = theme().isHighContrast ? theme().palette().color(QPalette::Disabled, QPalette::Text)
+                                        : theme().border;
     const double width = focused ? 2.0 : 1.0, inset = 0.5 * width;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
