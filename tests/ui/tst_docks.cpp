@@ -27,8 +27,10 @@
 #include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTranslator>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -81,6 +83,9 @@ private Q_SLOTS:
     void f9HidesAllDocksAndBringsThemBack();
     void theArrangementIsKept();
     void startingAgainKeepsTheSizes();
+    void checksHaveTheirShareOfTheColumn();
+    void aNarrowWindowLeavesRoomForTheView_data();
+    void aNarrowWindowLeavesRoomForTheView();
     void aStateOfAnotherVersionIsLeftOut();
     void aJumpInTheHistoryIsAnnouncedOnce();
     void checksSayWhatIsWrong_data();
@@ -155,6 +160,62 @@ void TestDocks::open()
 void TestDocks::cleanup()
 {
     m_window.reset();
+}
+
+// Wrong: of ten problems two are seen, beside an outline of three rows and much that is empty.
+void TestDocks::checksHaveTheirShareOfTheColumn()
+{
+    auto *checks = find<QDockWidget>("checksDock"), *outline = find<QDockWidget>("outlineDock");
+    const auto share = [&] {
+        return double(checks->height()) / (checks->height() + outline->height());
+    };
+    for (const QSize &size : {QSize(1400, 900), QSize(1440, 700), QSize(1900, 960)}) {
+        m_window->resize(size);
+        QCoreApplication::processEvents();
+        m_window->resizeDocks({checks}, {150}, Qt::Vertical);
+        QTRY_VERIFY(share() < 0.3);
+        find<QAction>("view.resetWindow")->trigger();
+        QTRY_VERIFY2(std::abs(share() - 0.4) < 0.03, qPrintable(QString::number(share())));
+    }
+    m_window.reset();
+    open();
+    checks = find<QDockWidget>("checksDock");
+    outline = find<QDockWidget>("outlineDock");
+    QTRY_VERIFY2(std::abs(share() - 0.4) < 0.03, qPrintable(QString::number(share())));
+}
+
+void TestDocks::aNarrowWindowLeavesRoomForTheView_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << QString();
+    QTest::newRow("German") << QStringLiteral("de");
+}
+
+// Wrong: so that the names of tabs can be read, the column takes almost half of the window.
+void TestDocks::aNarrowWindowLeavesRoomForTheView()
+{
+    QFETCH(QString, language);
+    QTranslator translator;
+    if (!language.isEmpty()) {
+        QVERIFY(translator.load(QStringLiteral(":/i18n/flatfitfab_") + language));
+        QCoreApplication::installTranslator(&translator);
+    }
+    m_window.reset();
+    open();
+    m_window->resize(1024, 640);
+    QCoreApplication::processEvents();
+    find<QAction>("view.resetWindow")->trigger();
+    QCoreApplication::removeTranslator(&translator);
+    const auto *properties = find<QDockWidget>("propertiesDock");
+    QTRY_VERIFY2(properties->width() <= 345, qPrintable(QString::number(properties->width())));
+    int tabs = 0;
+    for (const QTabBar *bar :
+         m_window->findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))
+        for (int i = 0; bar->isVisible() && i < bar->count(); ++i, ++tabs)
+            QVERIFY2(bar->tabRect(i).width() >=
+                         bar->fontMetrics().horizontalAdvance(bar->tabText(i)) + 2,
+                     qPrintable(bar->tabText(i)));
+    QCOMPARE(tabs, 5);
 }
 
 // Wrong: a key pressed twice that leaves another window than before.

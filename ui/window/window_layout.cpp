@@ -3,6 +3,8 @@
 #include "ui/settings/settings.h"
 
 #include <QDockWidget>
+#include <QFont>
+#include <QFontMetrics>
 #include <QGuiApplication>
 #include <QLayout>
 #include <QMainWindow>
@@ -18,8 +20,9 @@ namespace {
 
 constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
 constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 480; // px
-constexpr int kTabBorders = 30;   // px beside a tab's name (resources/style/window.qss)
-constexpr int kBelowHeight = 272; // px
+/// Of a tab: its words, and what is beside them, px (resources/style/window.qss).
+constexpr int kTabWords = 12, kTabBorders = 12;
+constexpr double kBelowShare = 0.4; // of the left column's height
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
 constexpr int kVersion = 4;
@@ -27,10 +30,13 @@ constexpr int kVersion = 4;
 /// All names of the tabs can be read, also long ones.
 int narrowWidth(const std::vector<QDockWidget *> &docks)
 {
+    QFont words = docks.front()->font();
+    words.setPixelSize(kTabWords);
+    const QFontMetrics metrics(words);
     int tabs = 0;
     for (const QDockWidget *dock : docks)
         if (!dock->isHidden())
-            tabs += dock->fontMetrics().horizontalAdvance(dock->windowTitle()) + kTabBorders;
+            tabs += metrics.horizontalAdvance(dock->windowTitle()) + kTabBorders;
     return std::clamp(tabs, kNarrowRightWidth, kMostNarrowRightWidth);
 }
 
@@ -119,8 +125,11 @@ void WindowLayout::reset()
         if (leader)
             leader->raise();
     }
-    if (left && below)
-        m_window.resizeDocks({below}, {kBelowHeight}, Qt::Vertical);
+    if (left && below) {
+        m_window.layout()->activate(); // or heights are those of before
+        const int column = left->height() + below->height();
+        m_window.resizeDocks({below}, {static_cast<int>(kBelowShare * column)}, Qt::Vertical);
+    }
     if (left)
         m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
     if (right)
