@@ -954,14 +954,6 @@
         <translation>Steht kaum: Der kleinste Stoß wirft es um. Kippt über %1, Abstand %2.</translation>
     </message>
     <message>
-        <source>Falls over to the left. The centre of mass lies %1 outside its feet.</source>
-        <translation>Fällt nach links um. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
-    </message>
-    <message>
-        <source>Falls over to the right. The centre of mass lies %1 outside its feet.</source>
-        <translation>Fällt nach rechts um. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Dem Modell noch einen Fuß geben oder Gewicht über die vorhandenen rücken.</translation>
     </message>
@@ -1307,6 +1299,14 @@
     <message>
         <source>%1: nothing is left between its slit for %2 and its edge.</source>
         <translation>%1: zwischen dem Schlitz für %2 und dem Rand bleibt nichts stehen.</translation>
+    </message>
+    <message>
+        <source>Falls over to its left. The centre of mass lies %1 outside its feet.</source>
+        <translation>Fällt auf seine linke Seite. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
+    </message>
+    <message>
+        <source>Falls over to its right. The centre of mass lies %1 outside its feet.</source>
+        <translation>Fällt auf seine rechte Seite. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
     </message>
 </context>
 <context>

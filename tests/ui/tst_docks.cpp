@@ -320,7 +320,7 @@ void TestDocks::checksSayWhatIsWrong_data()
         << "Warning 1: Barely stands";
     QTest::newRow("what hangs over falls")
         << withSection(newDocument(), polygonShape({{0, 0}, {10, 0}, {120, 60}, {0, 60}}), front())
-        << "Problem 1: Falls over to the right";
+        << "Problem 1: Falls over to its right";
     QTest::newRow("a plate in the air is not connected")
         << withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90))
         << "Problem 1: Nothing touches Section 3";

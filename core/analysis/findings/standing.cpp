@@ -155,10 +155,10 @@ Text fallOf(Towards side)
                         "Falls over backwards. The centre of mass lies %1 behind the feet.");
     case Towards::Left:
         return FFF_TEXT("Checks",
-                        "Falls over to the left. The centre of mass lies %1 outside its feet.");
+                        "Falls over to its left. The centre of mass lies %1 outside its feet.");
     case Towards::Right:
         return FFF_TEXT("Checks",
-                        "Falls over to the right. The centre of mass lies %1 outside its feet.");
+                        "Falls over to its right. The centre of mass lies %1 outside its feet.");
     }
     return {}; // not reached: every side is above
 }
