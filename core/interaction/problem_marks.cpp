@@ -13,8 +13,9 @@ namespace fff {
 
 namespace {
 
-/// From an anchor up to its number, px; further rings of places lie this far apart.
-constexpr double kReach = 26.0, kRingStep = 24.0;
+/// From an anchor up to its number, px: beyond the arrows that a chosen one may have there, which
+/// reach 20 px (ui/view/problem_marks.cpp). Further rings of places lie so far apart.
+constexpr double kReach = 34.0, kRingStep = 24.0;
 constexpr int kRings = 8;
 /// The cursor is on a dot up to here, px; on a number up to its edge and a little more.
 constexpr double kDotReach = 9.0, kNumberReach = kMarkRadius + 1.0;

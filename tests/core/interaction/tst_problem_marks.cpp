@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/base/units.h"
 #include "core/interaction/hover_words.h"
 #include "core/interaction/interaction.h"
 #include "core/interaction/problem_marks.h"
@@ -79,6 +80,22 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < placed.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)
                 QVERIFY((placed[i].centre - placed[k].centre).norm() >= 2.0 * kDotsRadius);
+    }
+
+    /// The number of a blocked joint lies on the arrows that say which way it is blocked.
+    void aNumberKeepsOffItsArrows()
+    {
+        const std::vector<ProblemMark> marks{mark(1, Vec3::Zero())};
+        const PlacedMark placed = placeMarks(marks, Camera(), kViewport, {}).front();
+        // 19 px to either side, with bars of 14 px across, whichever way; lines are 3 px wide.
+        for (int turn = 0; turn < 36; ++turn) {
+            const Vec2 along = Eigen::Rotation2Dd(radians(10.0 * turn)) * Vec2::UnitX();
+            for (const double side : {-7.0, 0.0, 7.0}) {
+                const Vec2 ink = placed.anchor + 19.0 * along + side * Vec2(-along.y(), along.x());
+                QVERIFY((placed.centre - ink).norm() > kMarkRadius + 1.5);
+            }
+        }
+        QVERIFY((placed.centre - placed.anchor).norm() < 40.0); // and is beside its place still
     }
 
     /// A view full of numbers says less than one with a few.
