@@ -6912,6 +6912,16 @@
         <extracomment>the end of a list of names</extracomment>
         <translation>%1 und %2</translation>
     </message>
+    <message>
+        <source>Section %1</source>
+        <extracomment>what the program calls a section that nobody has named; %1 is its number</extracomment>
+        <translation>Scheibe %1</translation>
+    </message>
+    <message>
+        <source>Sections %1–%2</source>
+        <extracomment>several in a row that nobody has named; %1 and %2 are the first and the last number</extracomment>
+        <translation>Scheiben %1–%2</translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>

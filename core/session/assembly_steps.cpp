@@ -47,7 +47,7 @@ QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
                          : AssemblyStepsTexts::tr("%1 (part %2)")
                                .arg(name, QString::number(AssemblySteps::numberOf(part)));
     }
-    return listed(names);
+    return listed(inRuns(names));
 }
 
 /// Of a group that was put together aside, when that was done: a person looks for it on the table.
@@ -76,7 +76,7 @@ QString matesOf(const AssemblySteps &steps, int step)
         names += nameOf(steps, mates[static_cast<std::size_t>(i)]);
     if (named < count)
         names += AssemblyStepsTexts::tr("%n others", nullptr, count - named);
-    return listed(names);
+    return listed(inRuns(names));
 }
 
 /// As seen from the front.
@@ -192,7 +192,7 @@ QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan)
             .arg(names.front());
     return AssemblyStepsTexts::tr(
                "No steps to show: the model cannot be assembled, since %1 block each other.")
-        .arg(listed(names));
+        .arg(listed(inRuns(names)));
 }
 
 QString stepTitle(const AssemblySteps &steps, int step)

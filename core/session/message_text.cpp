@@ -22,7 +22,7 @@ struct MessageTexts
 constexpr double kLeastAngle = 0.01; // degrees: less is said to be none
 constexpr char16_t kThinSpace = u'\u202f';
 // More names than this say less than a number does.
-constexpr std::size_t kMaxNames = 4;
+constexpr qsizetype kMaxNames = 4;
 
 QString withUnit(const QString &number, const QString &unit)
 {
@@ -48,7 +48,10 @@ struct ArgumentText
         return QLocale().toString(decimal.value, 'f',
                                   decimal.digits.value_or(QLocale::FloatingPointShortest));
     }
-    QString operator()(const Named &named) const { return styled(named.name); }
+    QString operator()(const Named &named) const
+    {
+        return styled(QString::fromStdString(named.name));
+    }
     QString operator()(const Text &text) const { return messageText(text); }
     QString operator()(const Message &message) const { return messageText(message, units, style); }
     QString operator()(const Error &error) const { return io::errorSentence(error); }
@@ -58,12 +61,15 @@ struct ArgumentText
     }
     QString operator()(const NamedSections &sections) const
     {
-        if (sections.names.size() > kMaxNames)
-            return MessageTexts::tr("%n sections", nullptr,
-                                    static_cast<int>(sections.names.size()));
         QStringList names;
         for (const std::string &name : sections.names)
-            names += styled(name);
+            names += QString::fromStdString(name);
+        names = inRuns(names);
+        if (names.size() > kMaxNames)
+            return MessageTexts::tr("%n sections", nullptr,
+                                    static_cast<int>(sections.names.size()));
+        for (QString &name : names)
+            name = styled(name);
         return listed(names);
     }
     QString operator()(const Quantity &quantity) const
@@ -94,9 +100,8 @@ private:
                                                        : QLocale().toString(whole, 'f', 0)) +
                QStringLiteral("°");
     }
-    QString styled(const std::string &name) const
+    QString styled(const QString &plain) const
     {
-        const QString plain = QString::fromStdString(name);
         return style == NameStyle::Plain ? plain
                                          : QStringLiteral("<b>%1</b>").arg(plain.toHtmlEscaped());
     }

@@ -31,6 +31,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_plan_growth
     core/session/tst_replay
     core/session/tst_scheduler
+    core/session/tst_section_names
     core/session/tst_session
     core/session/tst_slit_ends
     core/session/tst_strength

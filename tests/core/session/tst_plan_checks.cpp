@@ -65,8 +65,8 @@ void TestPlanChecks::sentences_data()
     QTest::newRow("a crate") << eggCrate(2, 2) << QStringLiteral("Can be assembled. 4 steps.");
     QTest::newRow("locked by directions")
         << triangle()
-        << QStringLiteral("Sections block each other. Section 1, Section 2 and Section 3 meet in 3 "
-                          "joints that slide in 3 different directions.");
+        << QStringLiteral("Sections block each other. Sections 1–3 meet in 3 joints that slide in "
+                          "3 different directions.");
     QTest::newRow("locked by an arm")
         << underAnArm(60)
         << QStringLiteral("Sections block each other. Section 2 comes only 5 mm out of its slit "
@@ -220,8 +220,7 @@ void TestPlanChecks::ringsAreNamed()
     const Model model = evaluate(triangle());
     ring.sections = {model.ref(0), model.ref(1), model.ref(2)};
     QCOMPARE(findingText(ring, model),
-             QStringLiteral("Section 1, Section 2 and Section 3 form a ring: keep to the order of "
-                            "the steps."));
+             QStringLiteral("Sections 1–3 form a ring: keep to the order of the steps."));
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.
