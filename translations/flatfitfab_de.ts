@@ -4337,18 +4337,6 @@
         <translation>FlatFitFab-Modelle</translation>
     </message>
     <message>
-        <source>Solids for other programs</source>
-        <translation>Körper für andere Programme</translation>
-    </message>
-    <message>
-        <source>Drawings for cutters</source>
-        <translation>Zeichnungen für Schneidmaschinen</translation>
-    </message>
-    <message>
-        <source>Drawings for cutters, one for each sheet</source>
-        <translation>Schneidzeichnungen, eine je Platte</translation>
-    </message>
-    <message>
         <source>glTF meshes</source>
         <translation>glTF-Netze</translation>
     </message>
@@ -4371,6 +4359,18 @@
     <message>
         <source>3MF meshes</source>
         <translation>3MF-Netze</translation>
+    </message>
+    <message>
+        <source>OBJ, solids in place</source>
+        <translation>OBJ, Körper an ihrem Platz</translation>
+    </message>
+    <message>
+        <source>SVG, true to size</source>
+        <translation>SVG in Originalgröße</translation>
+    </message>
+    <message>
+        <source>SVG, one for each sheet</source>
+        <translation>SVG, eine je Platte</translation>
     </message>
 </context>
 <context>
@@ -7934,6 +7934,11 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Mit einem Klick: %1.</translation>
     </message>
+    <message>
+        <source>Done: %1.</source>
+        <extracomment>%1 is what a link did, as it was said before: &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
+        <translation>Erledigt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::CommandSearch</name>
@@ -7944,11 +7949,6 @@
     <message>
         <source>%1: %2</source>
         <comment>why</comment>
-    <message>
-        <source>Done: %1.</source>
-        <extracomment>%1 is what a link did, as it was said before: &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
-        <translation>Erledigt: %1.</translation>
-    </message>
         <extracomment>where an action is in the menus, and why it cannot be done now</extracomment>
         <translation>%1: %2</translation>
     </message>

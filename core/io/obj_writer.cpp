@@ -165,7 +165,7 @@ const Format &objFormat()
     static const Format format = {
         .key = "obj",
         .suffixes = {"obj"},
-        .title = QT_TRANSLATE_NOOP("Format", "Solids for other programs"),
+        .title = QT_TRANSLATE_NOOP("Format", "OBJ, solids in place"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "the solids in place"),
         .writeSolids = [](const Model &model, const Bodies &bodies, const FormatValues &) {
             return writeObj(model, bodies);

@@ -34,8 +34,8 @@ const Format &svgFormat()
     static const Format format = {
         .key = "svg",
         .suffixes = {"svg", "svgz"},
-        .title = QT_TRANSLATE_NOOP("Format", "Drawings for cutters"),
-        .titleOfSheets = QT_TRANSLATE_NOOP("Format", "Drawings for cutters, one for each sheet"),
+        .title = QT_TRANSLATE_NOOP("Format", "SVG, true to size"),
+        .titleOfSheets = QT_TRANSLATE_NOOP("Format", "SVG, one for each sheet"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "cutting files, true to size"),
         .recognises =
             [](std::string_view bytes) { return isCompressed(bytes) || looksLikeXml(bytes); },

@@ -53,9 +53,8 @@ std::vector<ExportFile> filesToChoose()
 {
     std::vector<ExportFile> files;
     for (const ExportKind &kind : exportKinds())
-        files.push_back({kind.key,
-                         QStringLiteral("%1: %2").arg(kind.format->suffix().toUpper(), kind.title),
-                         kind.format->writesSolids(), kind.isFilePerSheet});
+        files.push_back(
+            {kind.key, kind.title, kind.format->writesSolids(), kind.isFilePerSheet});
     return files;
 }
 

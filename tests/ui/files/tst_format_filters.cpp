@@ -53,8 +53,8 @@ void TestFormatFilters::inEnglish()
     QCOMPARE(ui::drawingFilter(), QStringLiteral("Drawings (*.svg *.svgz);;All files (*)"));
     QCOMPARE(ui::saveFilter(), QStringLiteral("FlatFitFab models (*.fff)"));
     QCOMPARE(exported(),
-             QStringLiteral("Drawings for cutters (*.svg)|Drawings for cutters, one for each sheet "
-                            "(*.svg)|Solids for other programs (*.obj)"));
+             QStringLiteral("SVG, true to size (*.svg)|SVG, one for each sheet (*.svg)|OBJ, solids "
+                            "in place (*.obj)"));
     QCOMPARE(notAModel(),
              QStringLiteral("b.png is not a model. FlatFitFab opens .fff and FlatFab’s .txt."));
 }
@@ -71,8 +71,8 @@ void TestFormatFilters::inGerman()
     QCOMPARE(models, QStringLiteral("Modelle (*.fff *.txt);;Alle Dateien (*)"));
     QCOMPARE(drawings, QStringLiteral("Zeichnungen (*.svg *.svgz);;Alle Dateien (*)"));
     QCOMPARE(saved, QStringLiteral("FlatFitFab-Modelle (*.fff)"));
-    QCOMPARE(kinds, QStringLiteral("Zeichnungen für Schneidmaschinen (*.svg)|Schneidzeichnungen, "
-                                   "eine je Platte (*.svg)|Körper für andere Programme (*.obj)"));
+    QCOMPARE(kinds, QStringLiteral("SVG in Originalgröße (*.svg)|SVG, eine je Platte (*.svg)|OBJ, "
+                                   "Körper an ihrem Platz (*.obj)"));
     QCOMPARE(said,
              QStringLiteral("b.png ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab."));
 }
@@ -84,9 +84,9 @@ void TestFormatFilters::anAddedFormat()
     QCOMPARE(ui::drawingFilter(), QStringLiteral("Drawings (*.svg *.svgz *.knots);;All files (*)"));
     QCOMPARE(ui::saveFilter(), QStringLiteral("FlatFitFab models (*.fff)"));
     QCOMPARE(exported(),
-             QStringLiteral("Drawings for cutters (*.svg)|Drawings for cutters, one for each sheet "
-                            "(*.svg)|Knots (*.knots)|Knots, one file for each sheet "
-                            "(*.knots)|Solids for other programs (*.obj)"));
+             QStringLiteral("SVG, true to size (*.svg)|SVG, one for each sheet (*.svg)|Knots "
+                            "(*.knots)|Knots, one file for each sheet (*.knots)|OBJ, solids in "
+                            "place (*.obj)"));
     QCOMPARE(notAModel(), QStringLiteral("b.png is not a model. FlatFitFab opens .fff, FlatFab’s "
                                          ".txt and Knots’s .knots."));
 }
