@@ -26,10 +26,14 @@ namespace fff::ui {
 namespace {
 
 constexpr int kFieldWidth = 200; // px, at least
+/// px: labels break into lines rather than take more, and all fields begin at one line.
+constexpr int kLabelWidth = 190;
+/// px: a note is near what it is about, and the next question farther off; a group farther still.
+constexpr int kNoteGap = 4, kRowGap = 14, kGroupGap = 26;
 
 } // namespace
 
-/// A form with room for what German needs: labels wrap onto a line of their own.
+/// A form of two columns, with room for what German needs.
 class SettingsForm : public QWidget
 {
 public:
@@ -38,8 +42,8 @@ public:
         m_form = new QFormLayout(this);
         m_form->setContentsMargins(0, 0, 0, 0);
         m_form->setHorizontalSpacing(16);
-        m_form->setVerticalSpacing(8);
-        m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+        m_form->setVerticalSpacing(kNoteGap);
+        m_form->setRowWrapPolicy(QFormLayout::DontWrapRows);
         m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
         m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     }
@@ -48,8 +52,15 @@ public:
     {
         field->setObjectName(QLatin1String(name));
         field->setAccessibleName(label);
-        m_form->addRow(label, field);
+        auto *words = new QLabel(label, this);
+        words->setWordWrap(true);
+        words->setFixedWidth(kLabelWidth);
+        words->setBuddy(field);
+        addRow(words, field);
     }
+
+    /// What follows is about something else.
+    void beginGroup() { m_gap = kGroupGap; }
 
     /// What the row above it is about.
     void note(const QString &sentence)
@@ -114,13 +125,24 @@ public:
         box->setObjectName(QLatin1String(name));
         box->setChecked(current);
         QObject::connect(box, &QCheckBox::toggled, box, toggled);
-        m_form->addRow(QString(), box);
+        auto *none = new QWidget(this); // as wide as the other labels
+        none->setFixedWidth(kLabelWidth);
+        addRow(none, box);
         m_described = box;
         return box;
     }
 
 private:
+    void addRow(QWidget *label, QWidget *field)
+    {
+        if (m_form->rowCount() > 0)
+            m_form->addItem(new QSpacerItem(0, m_gap - 2 * kNoteGap));
+        m_gap = kRowGap;
+        m_form->addRow(label, field);
+    }
+
     QFormLayout *m_form = nullptr;
+    int m_gap = kRowGap; // px before the next row
     QWidget *m_described = nullptr;
 };
 
@@ -153,7 +175,7 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
         ->setAutoDefault(false); // Enter in a field accepts the field
 
     auto *row = new QHBoxLayout;
-    row->setSpacing(16);
+    row->setSpacing(24);
     row->addWidget(m_groups);
     row->addWidget(m_pages, 1);
     auto *column = new QVBoxLayout(this);
@@ -180,7 +202,7 @@ void SettingsDialog::addPage(const QString &name, const QString &icon, QWidget *
     title->setFont(font);
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 8, 0);
-    column->setSpacing(12);
+    column->setSpacing(16);
     column->addWidget(title);
     const bool fills = qobject_cast<ShortcutEditor *>(content);
     column->addWidget(content, fills ? 1 : 0);
@@ -281,6 +303,7 @@ QWidget *SettingsDialog::makeChecks()
         });
     form->note(
         tr("In the background, after each change. Allow more time if the checks find no order."));
+    form->beginGroup();
     addStrength(*form);
     return form;
 }
