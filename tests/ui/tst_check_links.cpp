@@ -128,14 +128,12 @@ void TestCheckLinks::theSecondPressDoesNothing()
     QVERIFY(!now->isChecked());
     QVERIFY(interaction().targetCamera() == before);
     QCOMPARE(steps(), 1);
-    pressAndRelease(); // this one is meant
-    QVERIFY(now->isChecked());
 }
 
 // Wrong: the view is full of one section, and nobody knows where it is.
 void TestCheckLinks::aClickShowsWhereInTheModelItIs()
 {
-    Document crate = eggCrate(12, 12);
+    Document crate = eggCrate(4, 4);
     crate = withSection(std::move(crate), polygonShape(rectangle(0, 0, 8, 8)), front(20));
     session().reset(crate);
     QTRY_VERIFY(row() && row()->accessibleName().startsWith(QStringLiteral("Problem 1")));

@@ -125,9 +125,7 @@ public:
         box->setObjectName(QLatin1String(name));
         box->setChecked(current);
         QObject::connect(box, &QCheckBox::toggled, box, toggled);
-        auto *none = new QWidget(this); // as wide as the other labels
-        none->setFixedWidth(kLabelWidth);
-        addRow(none, box);
+        addRow(nullptr, box);
         m_described = box;
         return box;
     }

@@ -21,7 +21,7 @@ namespace {
 constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
 constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 480; // px
 /// Of a tab: its words, and what is beside them, px (resources/style/window.qss).
-constexpr int kTabWords = 12, kTabBorders = 12;
+constexpr int kTabWords = 12, kTabBorders = 10;
 constexpr double kBelowShare = 0.4; // of the left column's height
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
@@ -38,6 +38,18 @@ int narrowWidth(const std::vector<QDockWidget *> &docks)
         if (!dock->isHidden())
             tabs += metrics.horizontalAdvance(dock->windowTitle()) + kTabBorders;
     return std::clamp(tabs, kNarrowRightWidth, kMostNarrowRightWidth);
+}
+
+/// Of two docks in a column, one above the other. The column is as high as what is beside it, whose
+/// height is known while docks still have that of before.
+void shareColumn(QMainWindow &window, QDockWidget *above, QDockWidget *below)
+{
+    constexpr int kTabsBetween = 28; // px
+    const QWidget *beside = window.centralWidget();
+    const int column = beside ? beside->height() - kTabsBetween : 0;
+    const int share = static_cast<int>(kBelowShare * column);
+    if (share > 0)
+        window.resizeDocks({above, below}, {column - share, share}, Qt::Vertical);
 }
 
 /// saveGeometry() knows the screen it was on; that one may be gone or smaller.
@@ -125,11 +137,8 @@ void WindowLayout::reset()
         if (leader)
             leader->raise();
     }
-    if (left && below) {
-        m_window.layout()->activate(); // or heights are those of before
-        const int column = left->height() + below->height();
-        m_window.resizeDocks({below}, {static_cast<int>(kBelowShare * column)}, Qt::Vertical);
-    }
+    if (left && below)
+        shareColumn(m_window, left, below);
     if (left)
         m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
     if (right)
@@ -154,6 +163,15 @@ void WindowLayout::windowShown()
     const bool away = std::exchange(m_isAway, false);
     reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
+    const auto firstIn = [this](Place place) {
+        const auto found = std::find(m_places.begin(), m_places.end(), place);
+        return found == m_places.end()
+                   ? nullptr
+                   : m_docks[static_cast<std::size_t>(found - m_places.begin())];
+    };
+    QDockWidget *left = firstIn(Place::Left), *below = firstIn(Place::LeftBelow);
+    if (left && below && !isNarrow())
+        shareColumn(m_window, left, below);
     m_window.restoreState(settings().windowState(), kVersion);
     setAway(away);
 }

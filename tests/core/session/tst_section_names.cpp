@@ -9,7 +9,6 @@
 #include <QStringList>
 
 using namespace fff;
-using namespace fff::test;
 
 class TestSectionNames : public QObject
 {
