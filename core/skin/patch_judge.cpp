@@ -1,0 +1,68 @@
+#include "core/skin/patch_judge.h"
+
+#include <algorithm>
+#include <map>
+
+namespace fff {
+
+namespace {
+
+/// How far a patch may bulge from the middle of its sides, as times the farthest point of these. On
+/// a sphere it is below one.
+constexpr double kMostBulge = 1.2;
+/// Share of the length of its sides along which a patch may look inwards.
+constexpr double kMostFolded = 0.2;
+
+} // namespace
+
+bool PatchJudge::keeps(const std::vector<SkinCurve> &sides)
+{
+    if (staysNear(sides) && facesOutwards(sides))
+        return true;
+    m_mesh.points.resize(m_points);
+    m_mesh.triangles.resize(m_triangles);
+    return false;
+}
+
+bool PatchJudge::staysNear(const std::vector<SkinCurve> &sides) const
+{
+    Vec3 middle = Vec3::Zero();
+    double length = 0.0, reach = 0.0;
+    for (const SkinCurve &side : sides)
+        for (std::size_t i = 0; i + 1 < side.points.size(); ++i) {
+            const double chord = (side.points[i + 1] - side.points[i]).norm();
+            middle += 0.5 * chord * (side.points[i] + side.points[i + 1]);
+            length += chord;
+        }
+    middle /= length;
+    for (const SkinCurve &side : sides)
+        for (const Vec3 &point : side.points)
+            reach = std::max(reach, (point - middle).norm());
+    return std::all_of(
+        m_mesh.points.begin() + static_cast<std::ptrdiff_t>(m_points), m_mesh.points.end(),
+        [&](const Vec3 &point) { return (point - middle).norm() <= kMostBulge * reach; });
+}
+
+bool PatchJudge::facesOutwards(const std::vector<SkinCurve> &sides) const
+{
+    std::map<std::uint32_t, Vec3> normals; // of the patch, at its vertices
+    for (std::size_t t = m_triangles; t < m_mesh.triangles.size(); ++t) {
+        const auto &[a, b, c] = m_mesh.triangles[t];
+        const Vec3 normal =
+            (m_mesh.points[b] - m_mesh.points[a]).cross(m_mesh.points[c] - m_mesh.points[a]);
+        for (const std::uint32_t vertex : {a, b, c})
+            normals.try_emplace(vertex, Vec3::Zero()).first->second += normal;
+    }
+    double length = 0.0, folded = 0.0;
+    for (const SkinCurve &side : sides)
+        for (std::size_t i = 1; i + 1 < side.points.size(); ++i) {
+            const double near = (side.points[i + 1] - side.points[i - 1]).norm();
+            length += near;
+            const auto found = normals.find(side.vertices[i]);
+            if (found != normals.end() && found->second.dot(side.outwards[i]) < 0.0)
+                folded += near;
+        }
+    return folded <= kMostFolded * length;
+}
+
+} // namespace fff

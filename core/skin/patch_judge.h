@@ -1,0 +1,32 @@
+// Whether a patch is part of a form, or folds over itself between contours that suggest none.
+#pragma once
+
+#include "core/skin/skin_curve.h"
+
+#include <vector>
+
+namespace fff {
+
+/// Fills in a part of the skin and keeps it only if it is sound.
+class PatchJudge
+{
+public:
+    /// Of what is added to the mesh from now on.
+    explicit PatchJudge(GrowingMesh &mesh)
+        : m_mesh(mesh), m_points(mesh.points.size()), m_triangles(mesh.triangles.size())
+    {
+    }
+
+    /// Stays near the contours round it, and has its outside where the sections have theirs along
+    /// most of their length; else the mesh is as it was before.
+    bool keeps(const std::vector<SkinCurve> &sides);
+
+private:
+    bool staysNear(const std::vector<SkinCurve> &sides) const;
+    bool facesOutwards(const std::vector<SkinCurve> &sides) const;
+
+    GrowingMesh &m_mesh;
+    std::size_t m_points, m_triangles; // that were there before
+};
+
+} // namespace fff

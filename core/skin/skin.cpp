@@ -1,0 +1,109 @@
+#include "core/skin/skin.h"
+
+#include "core/skin/contour_network.h"
+#include "core/skin/cycle_filling.h"
+#include "core/skin/network_curves.h"
+#include "core/skin/patch_judge.h"
+#include "core/skin/ring_tubes.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace fff {
+
+namespace {
+
+/// How much of the time it takes to find where outlines meet.
+constexpr double kMeetingShare = 0.4;
+
+LongWork partOf(const LongWork &work, double from, double to)
+{
+    return {work.stop, [&work, from, to](double share) { work.tell(from + share * (to - from)); }};
+}
+
+/// How often the cycle comes along an edge that it has been along.
+std::size_t repeats(const std::vector<HalfEdge> &cycle)
+{
+    std::set<int> edges;
+    for (const HalfEdge half : cycle)
+        edges.insert(half / 2);
+    return cycle.size() - edges.size();
+}
+
+/// A tube between two closed outlines comes back along the edge that joins them. What comes back
+/// along more than one is no form of its own.
+bool isPatch(const std::vector<HalfEdge> &cycle)
+{
+    const std::size_t again = repeats(cycle);
+    return cycle.size() >= 2 && cycle.size() <= kMostSides &&
+           (again == 0 || (again == 1 && cycle.size() == 4));
+}
+
+bool fillOver(GrowingMesh &mesh, const std::vector<HalfEdge> &cycle, const ContourNetwork &network,
+              const std::vector<SkinCurve> &curves)
+{
+    if (cycle.size() == 1) {
+        const NetEdge &edge = network.edges[static_cast<std::size_t>(cycle.front() / 2)];
+        return fillFlat(mesh, walked(curves, cycle.front()),
+                        network.outlines[static_cast<std::size_t>(edge.outline)].frame());
+    }
+    if (!isPatch(cycle))
+        return false;
+    std::vector<SkinCurve> sides;
+    for (const HalfEdge half : cycle)
+        sides.push_back(walked(curves, half));
+    PatchJudge judge(mesh);
+    fillCycle(mesh, sides);
+    return judge.keeps(sides);
+}
+
+/// Without vertices that no triangle has.
+TriangleMeshPointer meshOf(const GrowingMesh &grown)
+{
+    constexpr std::uint32_t kUnused = ~std::uint32_t(0);
+    std::vector<std::uint32_t> at(grown.points.size(), kUnused);
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles = grown.triangles;
+    for (Triangle &triangle : triangles)
+        for (std::uint32_t &corner : triangle) {
+            if (at[corner] == kUnused) {
+                at[corner] = static_cast<std::uint32_t>(points.size());
+                points.push_back(grown.points[corner]);
+            }
+            corner = at[corner];
+        }
+    return std::make_shared<const TriangleMesh>(std::move(points), std::move(triangles), 1.0);
+}
+
+} // namespace
+
+Result<Skin> skinOf(const std::vector<SectionPointer> &sections, const LongWork &work)
+{
+    const Result<ContourNetwork> network =
+        contourNetwork(sections, partOf(work, 0.0, kMeetingShare));
+    if (!network)
+        return tl::unexpected(network.error());
+    GrowingMesh mesh;
+    const std::vector<SkinCurve> curves = networkCurves(*network, mesh);
+    const std::vector<std::vector<HalfEdge>> cycles = cyclesOf(*network);
+    const LongWork filling = partOf(work, kMeetingShare, 1.0);
+    Skin skin;
+    for (std::size_t c = 0; c < cycles.size(); ++c) {
+        if (work.isStopped())
+            return failure(ErrorCode::Cancelled);
+        ++(fillOver(mesh, cycles[c], *network, curves) ? skin.patches : skin.open);
+        filling.tell(static_cast<double>(c) / static_cast<double>(cycles.size()));
+    }
+    const Result<std::vector<RingPair>> pairs = ringPairs(sections, *network, work);
+    if (!pairs)
+        return tl::unexpected(pairs.error());
+    const FilledTubes tubes = fillTubes(mesh, *pairs, *network);
+    skin.patches += tubes.patches;
+    skin.open += tubes.open;
+    if (!mesh.triangles.empty())
+        skin.mesh = meshOf(mesh);
+    return skin;
+}
+
+} // namespace fff
