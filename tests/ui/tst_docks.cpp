@@ -207,7 +207,7 @@ void TestDocks::aNarrowWindowLeavesRoomForTheView()
     find<QAction>("view.resetWindow")->trigger();
     QCoreApplication::removeTranslator(&translator);
     const auto *properties = find<QDockWidget>("propertiesDock");
-    QTRY_VERIFY2(properties->width() <= 345, qPrintable(QString::number(properties->width())));
+    QTRY_VERIFY2(properties->width() <= 366, qPrintable(QString::number(properties->width())));
     int tabs = 0;
     for (const QTabBar *bar :
          m_window->findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly))

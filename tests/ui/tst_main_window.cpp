@@ -696,7 +696,7 @@ void TestMainWindow::narrowWindowsHaveOneColumn()
     auto *properties = m_window->findChild<PropertiesDock *>();
     QCOMPARE(m_window->dockWidgetArea(outline), Qt::LeftDockWidgetArea);
     QCOMPARE(outline->width(), 264);
-    QCOMPARE(properties->width(), 314);
+    QCOMPARE(properties->width(), 322);
     m_window->resize(1024, 640);
     QTRY_COMPARE(m_window->width(), 1024);
     m_window->resetLayout();

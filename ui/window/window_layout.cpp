@@ -18,12 +18,12 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
-constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 480; // px
+constexpr int kLeftWidth = 264, kRightWidth = 322;                  // px
+constexpr int kNarrowRightWidth = 322, kMostNarrowRightWidth = 480; // px
 /// Of a tab: its words, and what is beside them, px (resources/style/window.qss).
-constexpr int kTabWords = 12, kTabBorders = 10;
+constexpr int kTabWords = 12, kTabBorders = 14;
 constexpr double kBelowShare = 0.4; // of the left column's height
-constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
+constexpr int kTwoColumns = 1280;   // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
 constexpr int kVersion = 4;
 

@@ -119,9 +119,9 @@ void TestChecks::wordsOfFallingOver_data()
 {
     QTest::addColumn<double>("turn"); // of a model that leans to the right
     QTest::addColumn<QString>("words");
-    QTest::newRow("right") << 0.0 << QStringLiteral("to the right.");
+    QTest::newRow("right") << 0.0 << QStringLiteral("to its right.");
     QTest::newRow("back") << 90.0 << QStringLiteral("backwards.");
-    QTest::newRow("left") << 180.0 << QStringLiteral("to the left.");
+    QTest::newRow("left") << 180.0 << QStringLiteral("to its left.");
     QTest::newRow("front") << 270.0 << QStringLiteral("forwards.");
 }
 
