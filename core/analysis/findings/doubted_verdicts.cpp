@@ -6,6 +6,7 @@
 #include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/findings/thin_necks.h"
 
 namespace fff {
 
@@ -29,7 +30,8 @@ Text whyNotStanding(const Finding &finding)
 /// What it says against all of that.
 Text whyNotWhole(const Finding &finding)
 {
-    if (finding.is(kNotConnected) || finding.is(kLoosePieces) || finding.is(kSevered))
+    if (finding.is(kNotConnected) || finding.is(kLoosePieces) || finding.is(kSevered) ||
+        finding.is(kHangsByNothing))
         return FFF_TEXT("Checks", "if it held together");
     return {};
 }

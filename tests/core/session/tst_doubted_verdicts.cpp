@@ -6,6 +6,7 @@
 #include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/findings/thin_necks.h"
 #include "core/session/check_list.h"
 #include "core/session/finding_text.h"
 #include "core/session/session.h"
@@ -66,6 +67,7 @@ private Q_SLOTS:
     void alsoWhileAModelIsBegun();
     void aMendMakesThemGreenAgain();
     void aPieceWithWhatItCarries();
+    void whatHangsByNothing();
 };
 
 // Wrong: "Stands" and "Strong enough" were green, of a heap of parts.
@@ -133,6 +135,31 @@ void TestDoubtedVerdicts::aPieceWithWhatItCarries()
         text.startsWith(QStringLiteral("Slits cut Section 1 apart. Nothing holds its part of ")) &&
             text.endsWith(QStringLiteral(" with Section 4.")),
         qPrintable(text));
+}
+
+// Wrong: "Stands" was green beside "Falls apart".
+void TestDoubtedVerdicts::whatHangsByNothing()
+{
+    for (const double half : {0.005, 4.0}) { // mm, of the neck
+        const ShapePointer dumbbell = polygonShape({{-60, -30},
+                                                    {-20, -30},
+                                                    {-20, -half},
+                                                    {20, -half},
+                                                    {20, -30},
+                                                    {60, -30},
+                                                    {60, 30},
+                                                    {20, 30},
+                                                    {20, half},
+                                                    {-20, half},
+                                                    {-20, 30},
+                                                    {-60, 30}});
+        const Frame lying{{0, 1.5, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+        const Staged all = staged(withSection(newDocument(), dumbbell, lying));
+        const bool hangs = half < 1.0;
+        QCOMPARE(find(all.found, kHangsByNothing) != nullptr, hangs);
+        QCOMPARE(find(all.found, kStands) == nullptr, hangs);
+        QCOMPARE(find(all.found, kWouldStand) != nullptr, hangs);
+    }
 }
 
 FFF_TEST(TestDoubtedVerdicts)
