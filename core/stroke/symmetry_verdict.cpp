@@ -1,4 +1,5 @@
 #include "core/base/tolerances.h"
+#include "core/geometry/polygon.h"
 #include "core/stroke/line_ends.h"
 #include "core/stroke/symmetry.h"
 
@@ -19,7 +20,12 @@ constexpr double kRatioRounding = 1e-12;
 constexpr double kMostPast = 0.2, kDeepestPast = 0.5;
 /// An end that has come back from there by more than this part of how deep it was goes on.
 constexpr double kComesBack = 0.3;
-/// Tolerances that a hook is long at most: what is longer is drawn.
+/// Of an end that is deep, how much longer than straight it may be.
+constexpr double kRoundabout = 2.0;
+/// Tolerances by which a hand trembles over the axis, where it reaches so many times as far on its
+/// own side.
+constexpr double kTremble = 2.5, kOverTremble = 3.0;
+/// Tolerances that a hook is long, or a curl wide, at most: what is larger is drawn.
 constexpr double kLongestSlip = 10.0;
 /// Ends past the axis that come nearer to each other than this part of how far they are apart on
 /// it begin to close the outline.
@@ -48,9 +54,12 @@ WithoutHooks betweenHooks(const std::vector<Vec2> &samples, double tolerance)
 class StrokeOverAxis
 {
 public:
-    /// sign: of that side
-    StrokeOverAxis(const std::vector<Vec2> &samples, const MirrorAxis &axis, double sign)
-        : m_samples(samples), m_axis(axis), m_up(sign * perpendicular(axis.direction))
+    /// sign: of that side; largest: how far it reaches there; near: what is as low is near the
+    /// axis, slip: what is as small is none of its own, all mm
+    StrokeOverAxis(const std::vector<Vec2> &samples, const MirrorAxis &axis, double sign,
+                   double largest, double near, double slip)
+        : m_samples(samples), m_axis(axis), m_up(sign * perpendicular(axis.direction)),
+          m_largest(largest), m_near(near), m_slip(slip)
     {
     }
 
@@ -58,14 +67,13 @@ public:
     double along(std::size_t i) const { return m_axis.direction.dot(m_samples[i] - m_axis.point); }
 
     /// How deep the stroke goes on the other side if what its ends, within `kept`, draw there
-    /// counts for nothing; nothing where it counts. limit: what is as low is near the axis
-    std::optional<double> depthWithoutEnds(const WithoutHooks &kept, double largest,
-                                           double limit) const
+    /// counts for nothing; nothing where it counts.
+    std::optional<double> depthWithoutEnds(const WithoutHooks &kept) const
     {
         std::size_t first = kept.from, last = kept.to;
-        while (first < last && !(height(first) > limit))
+        while (first < last && !(height(first) > m_near))
             ++first;
-        while (last > first && !(height(last) > limit))
+        while (last > first && !(height(last) > m_near))
             --last;
         if (first == last)
             return {};
@@ -77,8 +85,7 @@ public:
         const double past =
             lengthOf(m_samples, kept.from, first) + lengthOf(m_samples, last, kept.to);
         if (past > kMostPast * lengthOf(m_samples, kept.from, kept.to) ||
-            !isEnd(first, kept.from, largest, limit) || !isEnd(last, kept.to, largest, limit) ||
-            doEndsClose(kept, first, last))
+            !isEnd(first, kept.from) || !isEnd(last, kept.to) || doEndsClose(kept, first, last))
             return {};
         double depth = 0.0;
         for (std::size_t i = first + 1; i < last; ++i)
@@ -88,15 +95,18 @@ public:
 
 private:
     /// Whether what lies between where the stroke crosses the axis and its end is no more than an
-    /// end: near the axis, or not deep and not on its way back.
-    bool isEnd(std::size_t crossing, std::size_t end, double largest, double limit) const
+    /// end: near the axis, a curl of the hand, or straight, not deep and not on its way back.
+    bool isEnd(std::size_t crossing, std::size_t end) const
     {
-        double depth = 0.0;
+        Box2 box; // along the axis, and how deep
         const auto [from, to] = std::minmax(crossing, end);
         for (std::size_t i = from; i <= to; ++i)
-            depth = std::max(depth, -height(i));
-        return depth <= limit ||
-               (depth <= kDeepestPast * largest && -height(end) >= (1.0 - kComesBack) * depth);
+            box.extend(Vec2(along(i), -height(i)));
+        const double depth = box.max.y();
+        if (depth <= m_near || box.size().maxCoeff() <= m_slip)
+            return true;
+        return depth <= kDeepestPast * m_largest && -height(end) >= (1.0 - kComesBack) * depth &&
+               lengthOf(m_samples, from, to) <= kRoundabout * depth + m_near;
     }
 
     bool doEndsClose(const WithoutHooks &kept, std::size_t first, std::size_t last) const
@@ -108,6 +118,7 @@ private:
     const std::vector<Vec2> &m_samples;
     MirrorAxis m_axis;
     Vec2 m_up;
+    double m_largest, m_near, m_slip; // mm
 };
 
 } // namespace
@@ -136,10 +147,12 @@ SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis
     verdict.isOneSided = isOneSided(larger, smaller);
     if (verdict.isOneSided || !isAllUsable || samples.size() < 4)
         return verdict;
-    const StrokeOverAxis stroke(samples, axis, verdict.isLeft() ? 1.0 : -1.0);
-    const auto depth =
-        stroke.depthWithoutEnds(betweenHooks(samples, tolerance), larger, verdict.limit);
-    if (depth && isOneSided(larger, *depth)) {
+    const double near =
+        std::max(verdict.limit, std::min(kTremble * tolerance, larger / kOverTremble));
+    const StrokeOverAxis stroke(samples, axis, verdict.isLeft() ? 1.0 : -1.0, larger, near,
+                                kLongestSlip * tolerance);
+    const auto depth = stroke.depthWithoutEnds(betweenHooks(samples, tolerance));
+    if (depth && (*depth <= near || isOneSided(larger, *depth))) {
         smaller = *depth;
         verdict.isOneSided = true;
     }

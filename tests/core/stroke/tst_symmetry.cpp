@@ -121,6 +121,7 @@ private Q_SLOTS:
     void strayEndsAreCutOff();
     void endsInHaste_data();
     void endsInHaste();
+    void aTrembleIsNoOtherSide();
     void theOtherSideIsMeantWhereAnEndGoesOn_data();
     void theOtherSideIsMeantWhereAnEndGoesOn();
     void severalCrossingsKeepTheLargestHalf();
@@ -318,6 +319,25 @@ void TestSymmetry::endsInHaste()
         }
 }
 
+/// A fin of 20 px, whose sides run near the axis for long.
+void TestSymmetry::aTrembleIsNoOtherSide()
+{
+    for (const double shake : {0.5, 1.0, 1.5})
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+            SloppyHand hand(6.0, shake, seed);
+            hand.start({0.0, 0.0});
+            for (const Vec2 &to :
+                 {Vec2(60.0, 12.0), Vec2(200.0, 20.0), Vec2(340.0, 12.0), Vec2(400.0, 0.0)})
+                hand.to(to);
+            const StrokeContour stroke =
+                strokeContour(hand.samples(), {.tolerance = kPixels, .axis = MirrorAxis()});
+            QVERIFY2(stroke.isMirrored && stroke.contour, QByteArray::number(seed));
+            const Vec2 size = bounds(stroke.contour->flatten(0.1).points).size();
+            QVERIFY2(std::abs(size.x() - 400.0) <= 30.0, QByteArray::number(size.x()));
+            QVERIFY2(std::abs(size.y() - 40.0) <= 8.0, QByteArray::number(size.y()));
+        }
+}
+
 void TestSymmetry::theOtherSideIsMeantWhereAnEndGoesOn_data()
 {
     QTest::addColumn<Samples>("samples");
@@ -325,6 +345,8 @@ void TestSymmetry::theOtherSideIsMeantWhereAnEndGoesOn_data()
     QTest::newRow("an end that closes it") << arc(-0.15 * kPi, 1.15 * kPi, 50.0, 50.0);
     QTest::newRow("back to the axis") << bumps(59.0, 10.0);
     QTest::newRow("a long end") << lines({{50, 0}, {50, 40}, {-50, 40}, {-50, -45}}, 1.0);
+    QTest::newRow("a lobe first") << lines({{60, -25}, {0, -25}, {0, 100}, {250, 100}, {250, 0}},
+                                           1.0);
     QTest::newRow("an S") << lines({{0, 0}, {0, 40}, {40, 40}, {40, -40}, {80, -40}, {80, 0}}, 1.0);
     QTest::newRow("between two bumps") << lines(
         {{0, 0}, {0, 40}, {30, 40}, {30, -12}, {50, -12}, {50, 40}, {80, 40}, {80, 0}}, 1.0);
