@@ -1,6 +1,7 @@
 #include "core/skin/cycle_filling.h"
 
 #include "core/skin/coons_patch.h"
+#include "core/skin/skin_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ Centre centreOf(const std::vector<Gate> &gates)
         centre.point += gate.point / static_cast<double>(gates.size());
         normals += gate.normal;
     }
-    if (normals.norm() > 1e-6)
+    if (normals.norm() > kSkinNoNormal)
         centre.normal = normals.normalized();
     double rise = 0.0;
     for (const Gate &gate : gates) {

@@ -38,7 +38,8 @@ std::vector<double> samplesOf(const SkinOutline &outline, double start, double e
     for (std::size_t i = 0; i + 1 < fixed.size(); ++i) {
         const double span = fixed[i + 1] - fixed[i];
         // Rounding must not add a point to one of two curves that are alike.
-        const int pieces = std::max(1, static_cast<int>(std::ceil(span / most - 1e-6)));
+        const int pieces =
+            std::max(1, static_cast<int>(std::ceil(span / most - kSkinCountRounding)));
         for (int k = 1; k <= pieces; ++k)
             samples.push_back(k == pieces ? fixed[i + 1] : fixed[i] + span * k / pieces);
     }

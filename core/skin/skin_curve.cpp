@@ -1,4 +1,5 @@
 #include "core/skin/skin_curve.h"
+#include "core/skin/skin_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ Vec3 SkinCurve::normalAt(double share) const
         return normals.front();
     const Place p = placeOn(at, share);
     const Vec3 mixed = (1.0 - p.share) * normals[p.chord] + p.share * normals[p.chord + 1];
-    return mixed.norm() > 1e-6 ? mixed.normalized() : normals[p.chord];
+    return mixed.norm() > kSkinNoNormal ? mixed.normalized() : normals[p.chord];
 }
 
 Vec3 SkinCurve::startDirection() const
@@ -126,7 +127,7 @@ SkinCurve bridge(GrowingMesh &mesh, std::uint32_t from, const Vec3 &startWay,
         curve.points.push_back(i == 0 ? a : i == chords ? b : point);
         curve.vertices.push_back(i == 0 ? from : i == chords ? to : mesh.add(point));
         const Vec3 mixed = s * startNormal + t * endNormal;
-        curve.normals.push_back(mixed.norm() > 1e-6 ? mixed.normalized() : startNormal);
+        curve.normals.push_back(mixed.norm() > kSkinNoNormal ? mixed.normalized() : startNormal);
     }
     measure(curve);
     return curve;

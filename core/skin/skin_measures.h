@@ -14,4 +14,10 @@ inline constexpr double kSkinTouch = 0.13962634015954636;
 /// A point of an outline this near to another one that the skin keeps is not needed, mm.
 inline constexpr double kSkinSame = 1e-3;
 
+/// A sum of unit normals that is shorter has no direction (no unit).
+inline constexpr double kSkinNoNormal = 1e-6;
+
+/// By so much a number of pieces may be above a whole one by rounding (no unit).
+inline constexpr double kSkinCountRounding = 1e-6;
+
 } // namespace fff
