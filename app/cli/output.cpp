@@ -7,6 +7,7 @@
 #include "core/io/file_set.h"
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
+#include "core/skin/skin.h"
 
 #include <QFileInfo>
 
@@ -69,10 +70,10 @@ const io::Format *formatOf(const QCommandLineParser &parser)
 }
 
 /// "svg, obj or fff", each behind `mark`.
-QString suffixes(const QString &mark)
+QString suffixes(const QString &mark, io::Ability ability = &io::Format::isWritten)
 {
     QStringList list;
-    for (const io::Format *format : io::formatsThat(&io::Format::isWritten))
+    for (const io::Format *format : io::formatsThat(ability))
         list += mark + format->suffix();
     return io::enumerated(list, tr("%1 or %2"));
 }
@@ -156,6 +157,24 @@ int writeSolids(const Wish &wish, const Document &document, const QString &input
     return Done;
 }
 
+int writeSkin(const Wish &wish, const Document &document, const QString &input)
+{
+    const Result<Skin> skin = skinOf(evaluate(document).sections());
+    if (!skin)
+        return report(skin.error(), input);
+    if (!skin->mesh)
+        return report(noSkin(*skin), input);
+    if (const Result<void> written = io::writeFile(wish.path, wish.format.writeSkin(*skin->mesh));
+        !written)
+        return report(written.error());
+    printError(tr("Patches: %1, triangles: %2.")
+                   .arg(skin->patches)
+                   .arg(skin->mesh->triangles().size()));
+    if (skin->open > 0)
+        printError(tr("Places that stay open: %1").arg(skin->open));
+    return Done;
+}
+
 int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const Document &document,
                      const QString &input)
 {
@@ -219,6 +238,12 @@ void addOutputOptions(QCommandLineParser &parser)
                       tr("groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so "
                          "on (groups)."),
                       QStringLiteral("HOW")});
+    parser.addOption(
+        {QStringLiteral("skin"),
+         //: %1 are ends of names, such as "obj or stl"
+         tr("Writes the form that the sections suggest, as a surface (%1); of a kind of file that "
+            "holds nothing else it is what is written anyway.")
+             .arg(suffixes(QString(), &io::Format::writesSkins))});
     addFormatOptions(parser, io::FormatOption::Of::Writing);
 }
 
@@ -234,6 +259,9 @@ QString whyNoOutput(const QCommandLineParser &parser)
     if (!formatOf(parser))
         return tr("%1: this kind of file cannot be written; expected %2.")
             .arg(output, suffixes(QStringLiteral(".")));
+    if (parser.isSet(QStringLiteral("skin")) && !formatOf(parser)->writesSkins())
+        return tr("--skin: this kind of file cannot hold it; expected %1.")
+            .arg(suffixes(QStringLiteral("."), &io::Format::writesSkins));
     QString why;
     cuttingOptions(parser, why);
     return why;
@@ -248,6 +276,10 @@ int writeOutput(const QCommandLineParser &parser, const Verb &verb, const Docume
                     parser.value(QStringLiteral("output"))};
     if (status)
         return *status;
+    if (parser.isSet(QStringLiteral("skin")) || (wish.format.isExported() &&
+                                                 !wish.format.writesCutting() &&
+                                                 !wish.format.writesSolids()))
+        return writeSkin(wish, document, input);
     if (wish.format.writesCutting())
         return writeCuttingFile(parser, wish, document, input);
     if (wish.format.writesSolids())

@@ -5,7 +5,10 @@
 #include "core/analysis/checks.h"
 #include "core/fabrication/wholeness.h"
 #include "core/operations/evaluate.h"
+#include "core/skin/skin.h"
+#include "core/templates/template_mesh.h"
 #include "ui/view/offscreen_image.h"
+#include "ui/view/skin_scene.h"
 #include "ui/view/strained_scene.h"
 #include "ui/view/stress_marks.h"
 
@@ -31,7 +34,7 @@ QString tr(const char *text)
 struct Picture : PictureOptions
 {
     bool showsLabels = false, showsChecks = false, showsStress = false, showsForces = false;
-    bool isAccurate = false;
+    bool showsSkin = false, isAccurate = false;
 };
 
 /// What was asked for, or why not.
@@ -58,9 +61,11 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
             picture.showsStress = true;
         else if (what == QStringLiteral("forces"))
             picture.showsForces = true;
+        else if (what == QStringLiteral("skin"))
+            picture.showsSkin = true;
         else
-            return tr("--show: found \"%1\", expected labels, checks, stress, forces, or several "
-                      "separated by commas.")
+            return tr("--show: found \"%1\", expected labels, checks, stress, forces, skin, or "
+                      "several separated by commas.")
                 .arg(what);
     }
     return {};
@@ -114,6 +119,20 @@ void drawLabels(const Analysis &analysis, const Camera &camera, const Vec2 &view
                            QPen(style.panel, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.fillPath(path, style.text);
     }
+}
+
+/// Why there is none is said; the picture is made all the same.
+void showSkin(const Model &model, ui::Scene &scene, const QString &file)
+{
+    const Result<Skin> skin = skinOf(model.sections());
+    if (!skin || !skin->mesh) {
+        report(skin ? noSkin(*skin) : skin.error(), file);
+        return;
+    }
+    if (Result<TemplateMeshPointer> mesh = makeTemplateMesh(skin->mesh, {}))
+        scene.templates.push_back(ui::sceneSkin(*std::move(mesh)));
+    else
+        report(mesh.error(), file);
 }
 
 /// What is known of whether the model holds.
@@ -175,7 +194,8 @@ int runRender(const QStringList &arguments)
     addPictureOptions(parser);
     parser.addOption({QStringLiteral("show"),
                       tr("labels: the sections' names; checks: outlines sections with a problem; "
-                         "stress: the weakest cross-sections; forces: what feet and joints carry."),
+                         "stress: the weakest cross-sections; forces: what feet and joints carry; "
+                         "skin: the form that the sections suggest."),
                       QStringLiteral("WHAT,...")});
     parser.addOption({QStringLiteral("accurate"),
                       tr("Stress by finite elements, in colours all over the sections; takes "
@@ -212,6 +232,8 @@ int runRender(const QStringList &arguments)
         markProblems(analysis, scene);
         style.accent = kProblem;
     }
+    if (picture.showsSkin)
+        showSkin(analysis.model, scene, parsed.files.first());
     Strained known;
     if (picture.showsStress || picture.showsForces) {
         known = strained(shared, picture, parsed.files.first());

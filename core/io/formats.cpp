@@ -3,6 +3,7 @@
 #include "core/io/fff_file.h"
 #include "core/io/flatfab_format.h"
 #include "core/io/obj_writer.h"
+#include "core/io/stl_writer.h"
 #include "core/io/svg_format.h"
 
 #include <QtCore/QFileInfo>
@@ -18,6 +19,7 @@ std::vector<const Format *> &table()
     static std::vector<const Format *> formats = {
         &svgFormat(),
         &objFormat(),
+        &stlFormat(),
         &fffFormat(),
         &flatfabFormat(),
     };

@@ -14,6 +14,7 @@
 
 namespace fff {
 class Bodies;
+class TriangleMesh;
 struct CuttingDrawing;
 struct Model;
 } // namespace fff
@@ -41,9 +42,9 @@ struct Format
     const char *key = "";               // in what machines read
     std::vector<const char *> suffixes; // without a dot; the first is that of what is written
     const char *program = "";           // whose it is, by name; empty: ours, or everybody's
-    // What is written, as a file dialog calls it, and where each sheet has a file; context
-    // "Format".
-    const char *title = "", *titleOfSheets = "";
+    // What is written, as a file dialog calls it, where each sheet has a file, and where it is the
+    // skin; context "Format".
+    const char *title = "", *titleOfSheets = "", *titleOfSkin = "";
     const char *help = ""; // what `export` writes in it, within a sentence; context "CommandLine"
     std::vector<FormatOption> options = {};
 
@@ -56,6 +57,7 @@ struct Format
     Result<std::string> (*writeCutting)(const CuttingDrawing &, const FormatValues &) = nullptr;
     Result<std::string> (*writeSolids)(const Model &, const Bodies &,
                                        const FormatValues &) = nullptr;
+    std::string (*writeSkin)(const TriangleMesh &) = nullptr;
 
     QString suffix() const { return QLatin1String(suffixes.front()); }
     bool readsModels() const { return readModel; }
@@ -63,9 +65,10 @@ struct Format
     bool writesModels() const { return writeModel; }
     bool writesCutting() const { return writeCutting; }
     bool writesSolids() const { return writeSolids; }
-    bool isWritten() const { return writeModel || writeCutting || writeSolids; }
+    bool writesSkins() const { return writeSkin; }
+    bool isWritten() const { return writeModel || isExported(); }
     /// What is made from a model, for other programs and machines.
-    bool isExported() const { return writeCutting || writeSolids; }
+    bool isExported() const { return writeCutting || writeSolids || writeSkin; }
 };
 
 /// In the order in which they are offered.

@@ -160,16 +160,36 @@ Result<std::string> writeObj(const Model &model, const Bodies &bodies)
     return std::move(text.out);
 }
 
+std::string writeObj(const TriangleMesh &mesh)
+{
+    std::string out = "# FlatFitFab " FFF_VERSION ", millimetres, Y up\no skin\n";
+    for (const Vec3 &p : mesh.positions()) {
+        out += 'v';
+        for (const double c : p)
+            append(out, c);
+        out += '\n';
+    }
+    for (const Triangle &triangle : mesh.triangles()) {
+        out += 'f';
+        for (const std::uint32_t corner : triangle)
+            out += ' ' + std::to_string(corner + 1);
+        out += '\n';
+    }
+    return out;
+}
+
 const Format &objFormat()
 {
     static const Format format = {
         .key = "obj",
         .suffixes = {"obj"},
         .title = QT_TRANSLATE_NOOP("Format", "OBJ, solids in place"),
+        .titleOfSkin = QT_TRANSLATE_NOOP("Format", "OBJ, skin as a mesh"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "the solids in place"),
         .writeSolids = [](const Model &model, const Bodies &bodies, const FormatValues &) {
             return writeObj(model, bodies);
-        }};
+        },
+        .writeSkin = [](const TriangleMesh &mesh) { return writeObj(mesh); }};
     return format;
 }
 

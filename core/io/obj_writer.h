@@ -1,9 +1,10 @@
-// The model as solids, in place: Wavefront OBJ in millimetres, Y up.
+// The model as solids in place, or its skin: Wavefront OBJ in millimetres, Y up.
 #pragma once
 
 #include "core/assembly/body.h"
 #include "core/io/formats.h"
 #include "core/model/model.h"
+#include "core/templates/triangle_mesh.h"
 
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ namespace fff::io {
 /// Stocks stand in comments: OBJ knows no thickness, and looks are not the model's. `bodies` belong
 /// to the model. UTF-8, same bytes for same input. Errors  as haveSolids().
 Result<std::string> writeObj(const Model &model, const Bodies &bodies);
+
+/// The mesh as it is, one object of triangles, mm; numbers as above.
+std::string writeObj(const TriangleMesh &mesh);
 
 const Format &objFormat();
 

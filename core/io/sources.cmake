@@ -42,6 +42,7 @@ target_sources(fff_io PRIVATE
     ply_reader.cpp
     ply_writer.cpp
     stl_reader.cpp
+    stl_writer.cpp
     svg_clip.cpp
     svg_format.cpp
     svg_path.cpp

@@ -5,6 +5,7 @@ fff_tests(tests_app LIBRARIES fff::session TESTS
     app/tst_cli_facets
     app/tst_cli_input
     app/tst_cli_simulate
+    app/tst_cli_skin
     app/tst_cli_slices
     app/tst_cli_suggest
     ALONE app/tst_cli_simulate)

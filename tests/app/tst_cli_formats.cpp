@@ -45,15 +45,16 @@ private:
 void TestCliFormats::whatHelpSays()
 {
     const cli::Verb &verb = cli::verbNamed("export");
-    QCOMPARE(cli::usageOf(verb), QStringLiteral("export FILE -o OUT.{svg,obj,fff} [options]"));
+    QCOMPARE(cli::usageOf(verb), QStringLiteral("export FILE -o OUT.{svg,obj,stl,fff} [options]"));
     QCOMPARE(cli::purposeOf(verb), QStringLiteral("Cutting files, true to size; the solids in "
-                                                  "place; or the model itself"));
+                                                  "place; its skin as a mesh; or the model "
+                                                  "itself"));
     QCOMPARE(cli::usageOf(cli::verbNamed("replay")),
              QStringLiteral("replay SCRIPT.json [--from FILE] [--template TEMPLATE[@SIZE]] -o "
-                            "OUT.{fff,svg,obj} [options]"));
+                            "OUT.{fff,svg,obj,stl} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
     const VerbRun help = run({u"export"_s, u"--help"_s});
-    QVERIFY(help.out.contains("svg, obj or fff; needed if the file's name does not tell."));
+    QVERIFY(help.out.contains("svg, obj, stl or fff; needed if the file's name does not tell."));
     QVERIFY(help.out.contains("Millimetres per unit of a FlatFab file (25.4)."));
 }
 
@@ -62,10 +63,10 @@ void TestCliFormats::anAddedFormatIsInHelp()
     const io::AddedFormat added(addedFormat());
     const cli::Verb &verb = cli::verbNamed("export");
     QCOMPARE(cli::usageOf(verb),
-             QStringLiteral("export FILE -o OUT.{svg,obj,fff,knots} [options]"));
+             QStringLiteral("export FILE -o OUT.{svg,obj,stl,fff,knots} [options]"));
     QCOMPARE(cli::purposeOf(verb),
-             QStringLiteral("Cutting files, true to size; the solids in place; the model itself; "
-                            "or knots to tie"));
+             QStringLiteral("Cutting files, true to size; the solids in place; its skin as a "
+                            "mesh; the model itself; or knots to tie"));
     QCOMPARE(cli::modelFiles(),
              QStringLiteral("a .fff file, a FlatFab .txt file or a Knots .knots file"));
     const VerbRun help = run({u"export"_s, u"--help"_s});
@@ -74,8 +75,8 @@ void TestCliFormats::anAddedFormatIsInHelp()
     const VerbRun wrong = run({u"export"_s, put("a.fff", "knots 2")}, "a.xyz");
     QCOMPARE(wrong.status, int(cli::WrongUse));
     QVERIFY(
-        wrong.err.contains("a.xyz: this kind of file cannot be written; expected .svg, .obj, .fff "
-                           "or .knots."));
+        wrong.err.contains("a.xyz: this kind of file cannot be written; expected .svg, .obj, .stl, "
+                           ".fff or .knots."));
 }
 
 void TestCliFormats::anAddedFormatIsReadAndWritten()
