@@ -3101,6 +3101,18 @@
         <source>Read a mesh, a picture or a drawing to draw sections over</source>
         <translation>Ein Netz, ein Bild oder eine Zeichnung einlesen, um darüber zu zeichnen</translation>
     </message>
+    <message>
+        <source>S&amp;kin</source>
+        <translation>&amp;Haut</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Show the form that the sections suggest, as a surface over them</source>
+        <translation>Die Form zeigen, die die Scheiben andeuten, als Fläche darüber</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3218,6 +3230,10 @@
     <message>
         <source>A model of flat sheets with fingers along their edges</source>
         <translation>Ein Modell aus flachen Platten mit Fingerzinken an den Kanten</translation>
+    </message>
+    <message>
+        <source>its skin as a mesh</source>
+        <translation>seine Haut als Netz</translation>
     </message>
 </context>
 <context>
@@ -4270,6 +4286,14 @@
             <numerusform>%n Vorlagen ließen sich nicht lesen; ihre Plätze blieben.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>none of the places between its contours can be covered (%1), so there is no skin</source>
+        <translation>keine der Stellen zwischen den Konturen lässt sich überdecken (%1), also gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>no contours cross each other at their edges, so there is no skin</source>
+        <translation>keine Konturen kreuzen sich an ihren Rändern, also gibt es keine Haut</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -4371,6 +4395,14 @@
     <message>
         <source>SVG, one for each sheet</source>
         <translation>SVG, eine je Platte</translation>
+    </message>
+    <message>
+        <source>OBJ, skin as a mesh</source>
+        <translation>OBJ, Haut als Netz</translation>
+    </message>
+    <message>
+        <source>STL, skin as a mesh</source>
+        <translation>STL, Haut als Netz</translation>
     </message>
 </context>
 <context>
@@ -6112,6 +6144,10 @@
         <source>what magnets make of templates</source>
         <translation>was Magnete aus Vorlagen machen</translation>
     </message>
+    <message>
+        <source>the skin</source>
+        <translation>die Haut</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -7377,16 +7413,8 @@
         <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: .png.</translation>
     </message>
     <message>
-        <source>--show: found &quot;%1&quot;, expected labels, checks, stress, forces, or several separated by commas.</source>
-        <translation>--show: „%1“ gefunden, erwartet labels, checks, stress, forces oder mehrere mit Komma.</translation>
-    </message>
-    <message>
         <source>%1: no forces are shown; it does not stand, or they could not be worked out. &quot;check&quot; says why.</source>
         <translation>%1: Es werden keine Kräfte gezeigt, denn es steht nicht, oder sie konnten nicht ermittelt werden. „check“ sagt, warum.</translation>
-    </message>
-    <message>
-        <source>labels: the sections&apos; names; checks: outlines sections with a problem; stress: the weakest cross-sections; forces: what feet and joints carry.</source>
-        <translation>labels: die Namen der Scheiben; checks: umrandet Scheiben mit einem Problem; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen.</translation>
     </message>
     <message>
         <source>The picture could not be written as a PNG file.</source>
@@ -7532,6 +7560,31 @@
     <message>
         <source>--template: found &quot;%1&quot;, expected a file, or a file and its size in mm, such as ball.stl@80.</source>
         <translation>--template: gefunden: „%1“, erwartet: eine Datei oder eine Datei und ihre Größe in mm, etwa ball.stl@80.</translation>
+    </message>
+    <message>
+        <source>Patches: %1, triangles: %2.</source>
+        <translation>Flächenstücke: %1, Dreiecke: %2.</translation>
+    </message>
+    <message>
+        <source>Places that stay open: %1</source>
+        <translation>Stellen, die offen bleiben: %1</translation>
+    </message>
+    <message>
+        <source>Writes the form that the sections suggest, as a surface (%1); of a kind of file that holds nothing else it is what is written anyway.</source>
+        <extracomment>%1 are ends of names, such as &quot;obj or stl&quot;</extracomment>
+        <translation>Schreibt die Form, die die Scheiben andeuten, als Fläche (%1); in Dateien, die nichts anderes enthalten können, steht sie ohnehin.</translation>
+    </message>
+    <message>
+        <source>--skin: this kind of file cannot hold it; expected %1.</source>
+        <translation>--skin: solche Dateien können sie nicht enthalten; erwartet: %1.</translation>
+    </message>
+    <message>
+        <source>--show: found &quot;%1&quot;, expected labels, checks, stress, forces, skin, or several separated by commas.</source>
+        <translation>--show: gefunden: „%1“, erwartet: labels, checks, stress, forces, skin oder mehrere, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>labels: the sections&apos; names; checks: outlines sections with a problem; stress: the weakest cross-sections; forces: what feet and joints carry; skin: the form that the sections suggest.</source>
+        <translation>labels: die Namen der Scheiben; checks: umrandet Scheiben mit einem Problem; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen; skin: die Form, die die Scheiben andeuten.</translation>
     </message>
 </context>
 <context>
@@ -8317,6 +8370,11 @@
         <source>Export…</source>
         <translation>Exportieren …</translation>
     </message>
+    <message>
+        <source>Skin over %1</source>
+        <extracomment>%1 are the sections of the model</extracomment>
+        <translation>Haut über %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPreview</name>
@@ -8361,6 +8419,10 @@
         <source>Filled: %1</source>
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Ausnutzung: %1</translation>
+    </message>
+    <message>
+        <source>A skin has no sheets: the file holds the form that the sections suggest, as a surface over their contours.</source>
+        <translation>Eine Haut hat keine Platten: Die Datei enthält die Form, die die Scheiben andeuten, als Fläche über ihren Konturen.</translation>
     </message>
 </context>
 <context>
@@ -8568,6 +8630,17 @@
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
         <translation>Platten eines früheren Exports sind noch da: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported the skin to %1; %n places stay open.</source>
+        <translation>
+            <numerusform>Haut nach %1 exportiert; %n Stelle bleibt offen.</numerusform>
+            <numerusform>Haut nach %1 exportiert; %n Stellen bleiben offen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported the skin to %1.</source>
+        <translation>Haut nach %1 exportiert.</translation>
     </message>
 </context>
 <context>
@@ -11160,6 +11233,63 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>%1 alone would get in the way of typing. Hold Ctrl or Alt with it; single keys are for commands that work in the view.</source>
         <translation>%1 allein stünde dem Tippen im Weg. Mit Strg oder Alt halten; einzelne Tasten sind für Befehle, die in der Ansicht wirken.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SkinPicture</name>
+    <message>
+        <source>Skin: working… %1&#x202f;%</source>
+        <translation>Haut: läuft … %1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Skin: working…</source>
+        <translation>Haut: läuft …</translation>
+    </message>
+    <message>
+        <source>Skin: stopped</source>
+        <translation>Haut: angehalten</translation>
+    </message>
+    <message>
+        <source>Skin: could not be worked out</source>
+        <translation>Haut: ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Skin: no contours cross</source>
+        <translation>Haut: keine Konturen kreuzen sich</translation>
+    </message>
+    <message>
+        <source>Click to stop.</source>
+        <translation>Klicken hält an.</translation>
+    </message>
+    <message>
+        <source>A skin needs sections that cross each other and end in the same place there.</source>
+        <translation>Eine Haut braucht Scheiben, die sich kreuzen und dort an derselben Stelle enden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patches</source>
+        <translation>
+            <numerusform>%n Flächenstück</numerusform>
+            <numerusform>%n Flächenstücke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n places stay open.</source>
+        <translation>
+            <numerusform>%1; %n Stelle bleibt offen.</numerusform>
+            <numerusform>%1; %n Stellen bleiben offen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click to see the sections alone again.</source>
+        <translation>Klicken zeigt wieder die Scheiben allein.</translation>
+    </message>
+    <message>
+        <source>Skin: nothing to cover</source>
+        <translation>Haut: nichts zu überdecken</translation>
     </message>
 </context>
 <context>

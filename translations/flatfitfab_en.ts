@@ -686,6 +686,13 @@
             <numerusform>%n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Exported the skin to %1; %n places stay open.</source>
+        <translation>
+            <numerusform>Exported the skin to %1; %n place stays open.</numerusform>
+            <numerusform>Exported the skin to %1; %n places stay open.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::LibraryDock</name>
@@ -761,6 +768,23 @@
         <translation>
             <numerusform>Replace %n existing file?</numerusform>
             <numerusform>Replace %n existing files?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SkinPicture</name>
+    <message numerus="yes">
+        <source>%n patches</source>
+        <translation>
+            <numerusform>%n patch</numerusform>
+            <numerusform>%n patches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n places stay open.</source>
+        <translation>
+            <numerusform>%1; %n place stays open.</numerusform>
+            <numerusform>%1; %n places stay open.</numerusform>
         </translation>
     </message>
 </context>

@@ -27,6 +27,7 @@ target_sources(fff_ui PRIVATE
     bench/measures.cpp
     bench/number_names.cpp
     bench/seen.cpp
+    bench/skin_picture.cpp
     bench/status_line.cpp
     bench/touch_input.cpp
     bench/view_input.cpp

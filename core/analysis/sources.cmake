@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/asked_bearing.cpp
+    analysis/asked_skin.cpp
     analysis/assembly_plan.cpp
     analysis/bearable_mass.cpp
     analysis/bearing_map.cpp

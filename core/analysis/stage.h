@@ -34,6 +34,7 @@ struct StageOf
 struct Questions
 {
     std::optional<SectionRef> bearing = {}; // where this section is strong enough (bearing_map.h)
+    bool skin = false;                      // what form the sections suggest (core/skin/skin.h)
 
     bool operator==(const Questions &) const = default;
 };

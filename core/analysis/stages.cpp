@@ -3,6 +3,7 @@
 #include "core/analysis/accurate.h"
 #include "core/analysis/analysed.h"
 #include "core/analysis/asked_bearing.h"
+#include "core/analysis/asked_skin.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/mends.h"
 #include "core/analysis/planned.h"
@@ -32,6 +33,8 @@ std::vector<Stage> allStages()
             .refining(kHolding.name),
         makeStage(kBearing, FFF_TEXT("Stage", "how much each place of a section holds"),
                   {kAnalysed.name, kRules.name, kQuestions.name}, WhenSettled, askedBearing),
+        makeStage(kSkin, FFF_TEXT("Stage", "the skin"), {kModel.name, kQuestions.name}, WhenSettled,
+                  askedSkin),
         makeStage(kPulled, FFF_TEXT("Stage", "what magnets make of templates"), {kModel.name},
                   Always, pulled),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),

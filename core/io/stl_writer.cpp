@@ -49,7 +49,7 @@ const Format &stlFormat()
 {
     static const Format format = {.key = "stl",
                                   .suffixes = {"stl"},
-                                  .titleOfSkin = QT_TRANSLATE_NOOP("Format", "Skin as a mesh"),
+                                  .titleOfSkin = QT_TRANSLATE_NOOP("Format", "STL, skin as a mesh"),
                                   .help = QT_TRANSLATE_NOOP("CommandLine", "its skin as a mesh"),
                                   .writeSkin = stlBytes};
     return format;

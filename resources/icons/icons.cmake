@@ -112,6 +112,7 @@ set(icon_names
     select_parallel
     settings
     show_all
+    skin
     slices
     snap
     start

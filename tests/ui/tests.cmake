@@ -22,6 +22,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_menus
     ui/actions/tst_own_tool
     ui/bench/tst_first_sections
+    ui/bench/tst_skin_picture
     ui/dialogs/tst_dialogs
     ui/dialogs/tst_export_dialog
     ui/dialogs/tst_export_looks

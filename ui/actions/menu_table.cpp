@@ -24,7 +24,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
         {QT_TR_NOOP("&Edit"), "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate "
                               "edit.mirror edit.delete | edit.selectAll"},
         {QT_TR_NOOP("&View"), ">faces view.faceSelection view.fitAll | view.perspective view.xray "
-                              "view.clip | view.isolate view.showAll | >panels view.fullScreen"},
+                              "view.clip view.skin | view.isolate view.showAll | >panels view.fullScreen"},
         {QT_TR_NOOP("&Section"),
          "section.symmetry section.ground section.snap | section.pen >plane section.addShape "
          "section.mark | section.transform section.redraw section.addHole section.dropToGround"},

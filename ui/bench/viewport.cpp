@@ -56,7 +56,7 @@ bool isBelowGround(const Scene &scene)
 
 Viewport::Viewport(Workbench &bench, QWidget *parent)
     : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr),
-      m_strained(bench)
+      m_strained(bench), m_skin(bench)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
     QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
@@ -120,6 +120,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         lookForCovers();
         update();
     });
+    connect(&m_skin, &SkinPicture::changed, this, &Viewport::rebuildScene);
     connect(&m_strained, &StrainedView::moved, this, [this] {
         m_isPictureChanged = true;
         update();
@@ -407,6 +408,8 @@ void Viewport::rebuildScene()
 {
     const SceneBuilder &builder = m_bench.tried() ? m_triedBuilder : m_builder;
     m_scene = builder.build(m_bench.shownModel());
+    if (const std::optional<SceneTemplate> skin = m_skin.shown())
+        m_scene.templates.push_back(*skin);
     m_bench.setSeenBesides(cornersOf(m_scene.things));
     markScene(m_scene, m_bench);
     m_isPictureChanged = true;

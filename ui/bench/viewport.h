@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/bench/seen.h"
+#include "ui/bench/skin_picture.h"
 #include "ui/bench/strained_view.h"
 #include "ui/bench/touch_input.h"
 #include "ui/bench/view_input.h"
@@ -87,6 +88,7 @@ private:
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
     bool m_areStepsBelow = false;                // parts of them come from under the ground
     StrainedView m_strained;
+    SkinPicture m_skin;
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;

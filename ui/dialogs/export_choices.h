@@ -17,6 +17,7 @@ struct ExportFile
     QString text;          // "Drawings for cutters (SVG)"
     bool isSolids = false; // has no sheets, nor a kerf
     bool isFilePerSheet = false;
+    bool isSkin = false; // of those without sheets, the one that has no parts either
 };
 
 struct ExportChoices

@@ -181,7 +181,12 @@ void ExportDialog::refreshFoot()
 {
     const Cutting *cutting = m_work->cutting();
     const auto bold = [](const QString &text) { return QStringLiteral("<b>%1</b>").arg(text); };
-    if (cutting && m_questions->file().isSolids)
+    if (cutting && m_questions->file().isSkin)
+        //: %1 are the sections of the model
+        m_foot->setText(tr("Skin over %1")
+                            .arg(bold(sectionCountText(
+                                static_cast<int>(m_bench.session().model().sectionCount())))));
+    else if (cutting && m_questions->file().isSolids)
         //: %1 are the sections of the model
         m_foot->setText(tr("%1 as solids")
                             .arg(bold(sectionCountText(

@@ -109,6 +109,7 @@ void ExportPreview::turnBy(int sheets)
 void ExportPreview::setFile(const ExportFile &file)
 {
     m_isSolids = file.isSolids;
+    m_isSkin = file.isSkin;
     m_isFilePerSheet = file.isFilePerSheet;
     if (m_isSolids)
         m_pages->setCurrentIndex(SheetTab); // where that is said
@@ -132,7 +133,10 @@ void ExportPreview::showSheet()
     const std::vector<std::size_t> sheets = sheetsOfStock();
     SheetView::Content content;
     content.isOlder = m_work.isWorking();
-    if (m_isSolids) {
+    if (m_isSkin) {
+        content.note = tr("A skin has no sheets: the file holds the form that the sections "
+                          "suggest, as a surface over their contours.");
+    } else if (m_isSolids) {
         content.note = tr("Solids have no sheets: the file holds the model as it stands, true to "
                           "size, with its slits.");
     } else if (!sheets.empty()) {

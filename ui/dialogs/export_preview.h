@@ -46,7 +46,7 @@ private:
     const CuttingWork &m_work;
     const StockEdits &m_stocks;
     const ExportChoices &m_choices;
-    bool m_isSolids = false, m_isFilePerSheet = false;
+    bool m_isSolids = false, m_isSkin = false, m_isFilePerSheet = false;
     int m_sheet = 0;
     SegmentedBox *m_tabs = nullptr;
     QToolButton *m_previous = nullptr, *m_next = nullptr, *m_fit = nullptr;

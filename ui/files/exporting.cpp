@@ -7,6 +7,7 @@
 #include "core/io/file_set.h"
 #include "core/io/formats.h"
 #include "core/session/scheduler.h"
+#include "core/skin/skin.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
 #include "ui/base/message_bar.h"
@@ -23,6 +24,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <stop_token>
 
 namespace fff::ui {
 
@@ -53,8 +55,8 @@ std::vector<ExportFile> filesToChoose()
 {
     std::vector<ExportFile> files;
     for (const ExportKind &kind : exportKinds())
-        files.push_back(
-            {kind.key, kind.title, kind.format->writesSolids(), kind.isFilePerSheet});
+        files.push_back({kind.key, kind.title, !kind.format->writesCutting(), kind.isFilePerSheet,
+                         kind.isSkin});
     return files;
 }
 
@@ -134,8 +136,10 @@ bool Exporting::writeTo(const ExportTarget &target, const QString &model, Replac
     m_model = model;
     if (!prepare(target.path))
         return false;
-    const bool isWritten = kind.format->writesSolids() ? writeSolids(target.path, kind)
-                                                       : writeDrawing(target.path, kind, replaces);
+    const bool isWritten = kind.isSkin ? writeSkin(target.path, kind)
+                           : kind.format->writesSolids()
+                               ? writeSolids(target.path, kind)
+                               : writeDrawing(target.path, kind, replaces);
     if (isWritten) {
         m_last = target;
         rememberTarget(model, target);
@@ -250,6 +254,34 @@ bool Exporting::writeSolids(const QString &path, const ExportKind &kind)
     m_status.say(
         tr("Exported %1 as solids to %2.")
             .arg(sectionCountText(static_cast<int>(analysis->model.sectionCount())), name));
+    return true;
+}
+
+bool Exporting::writeSkin(const QString &path, const ExportKind &kind)
+{
+    const QString name = QFileInfo(path).fileName(), doing = tr("Exporting %1…").arg(name);
+    std::stop_source stop;
+    const auto skin = inBackground<Result<Skin>>(
+        m_window, doing, MayCancel::Yes,
+        [sections = m_bench.session().committed().sections(), given = stop.get_token()] {
+            return skinOf(sections, {given, {}});
+        });
+    stop.request_stop();
+    if (!skin)
+        return false;
+    if (!*skin || !(*skin)->mesh)
+        return tellFailure(path, kind, *skin ? noSkin(**skin) : skin->error());
+    const auto written = inBackground<Result<void>>(
+        m_window, doing, MayCancel::No, [mesh = (*skin)->mesh, path, format = kind.format] {
+            return io::writeFile(path, format->writeSkin(*mesh));
+        });
+    if (!*written)
+        return tellFailure(path, kind, written->error());
+    m_messages.hide();
+    m_status.say(
+        (*skin)->open > 0
+            ? tr("Exported the skin to %1; %n places stay open.", "", (*skin)->open).arg(name)
+            : tr("Exported the skin to %1.").arg(name));
     return true;
 }
 

@@ -66,6 +66,7 @@ private:
     bool writeDrawing(const QString &path, const ExportKind &kind, Replaces replaces);
     void tellDone(const io::CuttingFile &file, const QString &name);
     bool writeSolids(const QString &path, const ExportKind &kind);
+    bool writeSkin(const QString &path, const ExportKind &kind);
     bool finishAnalysis(const QString &path);
     bool tellFailure(const QString &path, const ExportKind &kind, const fff::Error &error);
     static QStringList warningsOf(const io::CuttingFile &file);

@@ -49,18 +49,19 @@ QString saveFilter()
 std::vector<ExportKind> exportKinds()
 {
     std::vector<ExportKind> kinds;
-    const auto add = [&kinds](const Format &format, const char *title, bool isFilePerSheet) {
-        const QString key = QLatin1String(format.key);
-        kinds.push_back({isFilePerSheet ? key + QStringLiteral("/sheets") : key,
+    const auto add = [&kinds](const Format &format, const char *title, const char *how = "") {
+        kinds.push_back({QLatin1String(format.key) + QLatin1String(how),
                          QCoreApplication::translate("Format", title), titled(format, title),
-                         &format, isFilePerSheet});
+                         &format, title == format.titleOfSheets, title == format.titleOfSkin});
     };
     for (const Format *format : io::formatsThat(&Format::writesCutting)) {
-        add(*format, format->title, false);
-        add(*format, format->titleOfSheets, true);
+        add(*format, format->title);
+        add(*format, format->titleOfSheets, "/sheets");
     }
     for (const Format *format : io::formatsThat(&Format::writesSolids))
-        add(*format, format->title, false);
+        add(*format, format->title);
+    for (const Format *format : io::formatsThat(&Format::writesSkins))
+        add(*format, format->titleOfSkin, "/skin");
     return kinds;
 }
 

@@ -25,6 +25,7 @@ struct ExportKind
     QString filter; // "Drawings for cutters (*.svg)"
     const io::Format *format = nullptr;
     bool isFilePerSheet = false;
+    bool isSkin = false; // of the model, in place of its solids
 };
 /// Never empty; cutting files first.
 std::vector<ExportKind> exportKinds();

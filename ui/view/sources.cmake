@@ -40,6 +40,7 @@ target_sources(fff_view PRIVATE
     view/slab_mesh.cpp
     view/slab_painter.cpp
     view/slab_vertices.cpp
+    view/skin_scene.cpp
     view/slit_covers.cpp
     view/step_marks.cpp
     view/step_pictures.cpp

@@ -1,6 +1,8 @@
 #include "ui/window/view_chips.h"
 
+#include "core/session/scheduler.h"
 #include "ui/base/theme.h"
+#include "ui/bench/skin_picture.h"
 #include "ui/bench/workbench.h"
 
 #include <QHBoxLayout>
@@ -18,14 +20,20 @@ constexpr int kChipsLeft = 10, kChipsApart = 6;                            // px
 ViewChip::ViewChip(const QString &text, const QString &tip, QWidget *parent)
     : QAbstractButton(parent)
 {
-    setText(text);
-    setToolTip(tip);
-    setAccessibleName(text);
-    setAccessibleDescription(tip);
+    say(text, tip);
     setFocusPolicy(Qt::TabFocus); // a click leaves the focus where the hand draws
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::ArrowCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void ViewChip::say(const QString &words, const QString &tip)
+{
+    setText(words);
+    setToolTip(tip);
+    setAccessibleName(words);
+    setAccessibleDescription(tip);
+    updateGeometry();
 }
 
 QFont ViewChip::words() const
@@ -72,20 +80,29 @@ ViewChips::ViewChips(Workbench &bench, QWidget *view, int top) : QWidget(view), 
     m_xray->setObjectName(QStringLiteral("xrayChip"));
     m_cut = new ViewChip(tr("Cut open"), tr("Click to see the whole model again."), this);
     m_cut->setObjectName(QStringLiteral("cutChip"));
-    row->addWidget(m_xray);
-    row->addWidget(m_cut);
+    m_skin = new ViewChip({}, {}, this);
+    m_skin->setObjectName(QStringLiteral("skinChip"));
+    for (ViewChip *chip : {m_xray, m_cut, m_skin})
+        row->addWidget(chip);
     connect(m_xray, &QAbstractButton::clicked, this,
             [this] { m_bench.run(QStringLiteral("view.xray")); });
     connect(m_cut, &QAbstractButton::clicked, this,
             [this] { m_bench.run(QStringLiteral("view.clip")); });
+    connect(m_skin, &QAbstractButton::clicked, this,
+            [this] { m_bench.run(QStringLiteral("view.skin")); });
     move(kChipsLeft, top);
     connect(&bench, &Workbench::viewStateChanged, this, &ViewChips::refresh);
+    connect(&bench.session(), &Session::modelChanged, this, &ViewChips::refresh);
+    const Scheduler &scheduler = bench.session().scheduler();
+    connect(&scheduler, &Scheduler::published, this, &ViewChips::refresh);
+    for (const auto signal : {&Scheduler::asked, &Scheduler::progressed})
+        connect(&scheduler, signal, this, &ViewChips::refresh);
     refresh();
 }
 
 void ViewChips::refreshColours()
 {
-    for (QWidget *chip : {m_xray, m_cut})
+    for (QWidget *chip : {m_xray, m_cut, m_skin})
         chip->update();
 }
 
@@ -94,7 +111,12 @@ void ViewChips::refresh()
     const ViewState &view = m_bench.interaction().view();
     m_xray->setVisible(view.isXray);
     m_cut->setVisible(view.clip.has_value());
-    setVisible(view.isXray || view.clip.has_value());
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const bool isSkinAsked = scheduler.questions().skin;
+    m_skin->setVisible(isSkinAsked);
+    if (const QString words = skinState(scheduler); isSkinAsked && words != m_skin->text())
+        m_skin->say(words, skinDetails(scheduler));
+    setVisible(view.isXray || view.clip.has_value() || isSkinAsked);
     resize(layout()->sizeHint());
 }
 

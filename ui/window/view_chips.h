@@ -1,5 +1,5 @@
 // How the view shows something else than the model as it is, as chips under the verdicts: "X-ray",
-// "Cut open". A click on one switches it off. Widgets of their own, as the verdicts are.
+// "Cut open", "Skin" and how far that has come. A click on one switches it off. Widgets of their own, as the verdicts are.
 #pragma once
 
 #include <QAbstractButton> // first: moc stumbles over some standard headers
@@ -14,6 +14,9 @@ class ViewChip : public QAbstractButton
     Q_OBJECT
 public:
     ViewChip(const QString &text, const QString &tip, QWidget *parent);
+
+    /// Other words than before.
+    void say(const QString &text, const QString &tip);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -39,7 +42,7 @@ private:
     void refresh();
 
     Workbench &m_bench;
-    ViewChip *m_xray = nullptr, *m_cut = nullptr;
+    ViewChip *m_xray = nullptr, *m_cut = nullptr, *m_skin = nullptr;
 };
 
 } // namespace fff::ui

@@ -359,6 +359,10 @@ void TestExportDialog::solidsHaveNoSheets()
         auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportFile"));
         box->setFocus();
         QTest::keyClick(box, Qt::Key_End);
+        QVERIFY(box->currentText().startsWith(QStringLiteral("STL: ")));
+        QCOMPARE(textOf(dialog, "exportTotals"), QStringLiteral("Skin over <b>1 section</b>"));
+        QTest::keyClick(box, Qt::Key_Up);
+        QTest::keyClick(box, Qt::Key_Up);
         for (const char *name : {"exportSheet", "exportKerf", "exportSpacing", "exportTabs"})
             QVERIFY2(!dialog->findChild<QWidget *>(QLatin1String(name))->isVisible(), name);
         QVERIFY(dialog->findChild<QWidget *>(QStringLiteral("exportClearance"))->isVisible());

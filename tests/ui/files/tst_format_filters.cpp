@@ -52,9 +52,10 @@ void TestFormatFilters::inEnglish()
     QCOMPARE(ui::modelFilter(), QStringLiteral("Models (*.fff *.txt);;All files (*)"));
     QCOMPARE(ui::drawingFilter(), QStringLiteral("Drawings (*.svg *.svgz);;All files (*)"));
     QCOMPARE(ui::saveFilter(), QStringLiteral("FlatFitFab models (*.fff)"));
-    QCOMPARE(exported(),
-             QStringLiteral("SVG, true to size (*.svg)|SVG, one for each sheet (*.svg)|OBJ, solids "
-                            "in place (*.obj)"));
+    QCOMPARE(
+        exported(),
+        QStringLiteral("SVG, true to size (*.svg)|SVG, one for each sheet (*.svg)|OBJ, solids "
+                       "in place (*.obj)|OBJ, skin as a mesh (*.obj)|STL, skin as a mesh (*.stl)"));
     QCOMPARE(notAModel(),
              QStringLiteral("b.png is not a model. FlatFitFab opens .fff and FlatFab’s .txt."));
 }
@@ -71,8 +72,10 @@ void TestFormatFilters::inGerman()
     QCOMPARE(models, QStringLiteral("Modelle (*.fff *.txt);;Alle Dateien (*)"));
     QCOMPARE(drawings, QStringLiteral("Zeichnungen (*.svg *.svgz);;Alle Dateien (*)"));
     QCOMPARE(saved, QStringLiteral("FlatFitFab-Modelle (*.fff)"));
-    QCOMPARE(kinds, QStringLiteral("SVG in Originalgröße (*.svg)|SVG, eine je Platte (*.svg)|OBJ, "
-                                   "Körper an ihrem Platz (*.obj)"));
+    QCOMPARE(kinds, QStringLiteral(
+                        "SVG in Originalgröße (*.svg)|SVG, eine je Platte (*.svg)|OBJ, "
+                        "Körper an ihrem Platz (*.obj)|OBJ, Haut als Netz (*.obj)|STL, Haut als "
+                        "Netz (*.stl)"));
     QCOMPARE(said,
              QStringLiteral("b.png ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab."));
 }
@@ -83,10 +86,11 @@ void TestFormatFilters::anAddedFormat()
     QCOMPARE(ui::modelFilter(), QStringLiteral("Models (*.fff *.txt *.knots);;All files (*)"));
     QCOMPARE(ui::drawingFilter(), QStringLiteral("Drawings (*.svg *.svgz *.knots);;All files (*)"));
     QCOMPARE(ui::saveFilter(), QStringLiteral("FlatFitFab models (*.fff)"));
-    QCOMPARE(exported(),
-             QStringLiteral("SVG, true to size (*.svg)|SVG, one for each sheet (*.svg)|Knots "
-                            "(*.knots)|Knots, one file for each sheet (*.knots)|OBJ, solids in "
-                            "place (*.obj)"));
+    QCOMPARE(
+        exported(),
+        QStringLiteral("SVG, true to size (*.svg)|SVG, one for each sheet (*.svg)|Knots "
+                       "(*.knots)|Knots, one file for each sheet (*.knots)|OBJ, solids in "
+                       "place (*.obj)|OBJ, skin as a mesh (*.obj)|STL, skin as a mesh (*.stl)"));
     QCOMPARE(notAModel(), QStringLiteral("b.png is not a model. FlatFitFab opens .fff, FlatFab’s "
                                          ".txt and Knots’s .knots."));
 }
