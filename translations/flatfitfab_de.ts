@@ -1612,10 +1612,6 @@
         <translation>Einfügen</translation>
     </message>
     <message>
-        <source>Add the sections that were copied</source>
-        <translation>Die kopierten Scheiben hinzufügen</translation>
-    </message>
-    <message>
         <source>Dup&amp;licate</source>
         <translation>&amp;Duplizieren</translation>
     </message>
@@ -3113,6 +3109,34 @@
         <source>Show the form that the sections suggest, as a surface over them</source>
         <translation>Die Form zeigen, die die Scheiben andeuten, als Fläche darüber</translation>
     </message>
+    <message>
+        <source>Add the sections that were copied, or a picture to draw over</source>
+        <translation>Kopierte Scheiben einfügen, oder ein Bild zum Nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Move a te&amp;mplate</source>
+        <translation>Vo&amp;rlage bewegen</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale the template with handles or numbers</source>
+        <translation>Die Vorlage mit Griffen oder Zahlen bewegen, drehen und skalieren</translation>
+    </message>
+    <message>
+        <source>Size a template by a &amp;line</source>
+        <translation>Vorlage nach einer &amp;Linie skalieren</translation>
+    </message>
+    <message>
+        <source>Size by a line</source>
+        <translation>Nach einer Linie</translation>
+    </message>
+    <message>
+        <source>Draw a line over the template and say how long it is</source>
+        <translation>Eine Linie über die Vorlage ziehen und sagen, wie lang sie ist</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -4294,6 +4318,10 @@
         <source>no contours cross each other at their edges, so there is no skin</source>
         <translation>keine Konturen kreuzen sich an ihren Rändern, also gibt es keine Haut</translation>
     </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Arbeitsspeicher reicht nicht</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -4773,10 +4801,6 @@
         <translation>Auf die Scheibe klicken, an der gespiegelt wird; ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
-        <source>Nothing pasted: nothing that was copied has sections in it.</source>
-        <translation>Nichts eingefügt: Was kopiert wurde, enthält keine Scheiben.</translation>
-    </message>
-    <message>
         <source>Nothing copied: the model is symmetric already.</source>
         <translation>Nichts kopiert: Das Modell ist schon symmetrisch.</translation>
     </message>
@@ -5202,6 +5226,51 @@
     <message>
         <source>Nothing drawn: the slit never left %1. Start inside and drag across its edge; &lt;kbd&gt;O&lt;/kbd&gt; draws holes, &lt;kbd&gt;E&lt;/kbd&gt; engraves.</source>
         <translation>Nichts gezeichnet: Der Schlitz hat %1 nie verlassen. Innen beginnen und über den Rand ziehen; &lt;kbd&gt;O&lt;/kbd&gt; zeichnet Löcher, &lt;kbd&gt;E&lt;/kbd&gt; graviert.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move %1, a ring to turn it, a box to scale it; or type numbers. &lt;kbd&gt;Esc&lt;/kbd&gt; hides the handles.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>%1: Pfeil ziehen bewegt, Ring dreht, Kästchen skaliert; oder Zahlen tippen. &lt;kbd&gt;Esc&lt;/kbd&gt; blendet die Griffe aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps to one direction.</source>
+        <translation>Ziehen bewegt; &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt bei einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag to turn.</source>
+        <translation>Ziehen dreht.</translation>
+    </message>
+    <message>
+        <source>Drag to scale.</source>
+        <translation>Ziehen skaliert.</translation>
+    </message>
+    <message>
+        <source>Release to keep it like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 is locked.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>%1 ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved or scaled that far.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>So weit lässt sich %1 nicht bewegen oder skalieren.</translation>
+    </message>
+    <message>
+        <source>Drag along something in %1 whose length you know; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps to eight directions. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Entlang von etwas in %1 ziehen, dessen Länge bekannt ist; &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt bei acht Richtungen. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Type how long that is; &lt;kbd&gt;Enter&lt;/kbd&gt; makes %1 that large. &lt;kbd&gt;Esc&lt;/kbd&gt; clears the line.</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Eintippen, wie lang das ist; &lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %1 so groß. &lt;kbd&gt;Esc&lt;/kbd&gt; löscht die Linie.</translation>
+    </message>
+    <message>
+        <source>Nothing pasted: what was copied has neither sections nor a picture in it.</source>
+        <translation>Nichts eingefügt: In der Zwischenablage sind weder Scheiben noch ein Bild.</translation>
     </message>
 </context>
 <context>
@@ -6871,6 +6940,16 @@
         <source>Align %1 and %2</source>
         <extracomment>%1 and %2 are the names of templates</extracomment>
         <translation>%1 und %2 ausrichten</translation>
+    </message>
+    <message>
+        <source>Turn template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 drehen</translation>
+    </message>
+    <message>
+        <source>Scale template %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>Vorlage %1 skalieren</translation>
     </message>
 </context>
 <context>
@@ -8740,6 +8819,10 @@
         <source>%1 is not a model. FlatFitFab opens %2.</source>
         <translation>%1 ist kein Modell. FlatFitFab öffnet %2.</translation>
     </message>
+    <message>
+        <source>Nothing was opened: no file was named.</source>
+        <translation>Nichts wurde geöffnet: Es war keine Datei genannt.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FigureGroup</name>
@@ -8890,6 +8973,15 @@
     <message>
         <source>Lines on the section that it lies on, or that is selected</source>
         <translation>Linien auf der Scheibe, auf der es liegt oder die ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>%1, too many for sections</source>
+        <extracomment>%1 is a number of outlines</extracomment>
+        <translation>%1, zu viele für Scheiben</translation>
     </message>
 </context>
 <context>
@@ -9812,6 +9904,10 @@
         <source>Meshes, pictures and drawings (%1)</source>
         <extracomment>%1 is a list of patterns such as *.stl</extracomment>
         <translation>Netze, Bilder und Zeichnungen (%1)</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Eingefügtes Bild</translation>
     </message>
 </context>
 <context>
@@ -12122,6 +12218,29 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Making facets…</source>
         <translation>Flächen werden gebaut…</translation>
     </message>
+    <message>
+        <source>Tracing %1…</source>
+        <translation>%1 wird nachgezeichnet …</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TemplateTools</name>
+    <message>
+        <source>Handles</source>
+        <translation>Griffe</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale it in the view, with handles or numbers</source>
+        <translation>In der Ansicht bewegen, drehen und skalieren, mit Griffen oder Zahlen</translation>
+    </message>
+    <message>
+        <source>Size by a line</source>
+        <translation>Nach einer Linie</translation>
+    </message>
+    <message>
+        <source>Draw a line over something in it whose length you know</source>
+        <translation>Eine Linie über etwas darin ziehen, dessen Länge bekannt ist</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::TemplatesDock</name>
@@ -12222,8 +12341,8 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Ein Netz, ein Bild oder eine Zeichnung einlesen, um Scheiben danach zu zeichnen</translation>
     </message>
     <message>
-        <source>Add a mesh, a picture or a drawing, or drop one on the window. Sections that you draw snap to where their planes cut a mesh, and to the lines of a drawing in their plane.</source>
-        <translation>Ein Netz, ein Bild oder eine Zeichnung hinzufügen oder auf das Fenster ziehen. Gezeichnete Scheiben rasten ein, wo ihre Ebene ein Netz schneidet, und an Linien einer Zeichnung in ihrer Ebene.</translation>
+        <source>Add a mesh, a picture or a drawing, or drop or paste one. Sections that you draw snap to where their planes cut a mesh, and to the lines of a drawing in their plane.</source>
+        <translation>Ein Netz, ein Bild oder eine Zeichnung hinzufügen, auf das Fenster ziehen oder einfügen. Gezeichnete Scheiben rasten ein, wo ihre Ebene ein Netz schneidet, und an Linien einer Zeichnung in ihrer Ebene.</translation>
     </message>
     <message>
         <source>Holds</source>

@@ -92,9 +92,12 @@ target_sources(fff_ui PRIVATE
     docks/properties_dock.cpp
     docks/properties_header.cpp
     docks/section_page.cpp
+    docks/template_tools.cpp
     docks/templates_dock.cpp
     docks/checks_dock_links.cpp
+    docks/trace_preview.cpp
     files/document_files.cpp
+    files/clipboard_picture.cpp
     files/mesh_import.cpp
     files/export_targets.cpp
     files/exporting.cpp

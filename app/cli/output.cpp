@@ -167,9 +167,8 @@ int writeSkin(const Wish &wish, const Document &document, const QString &input)
     if (const Result<void> written = io::writeFile(wish.path, wish.format.writeSkin(*skin->mesh));
         !written)
         return report(written.error());
-    printError(tr("Patches: %1, triangles: %2.")
-                   .arg(skin->patches)
-                   .arg(skin->mesh->triangles().size()));
+    printError(
+        tr("Patches: %1, triangles: %2.").arg(skin->patches).arg(skin->mesh->triangles().size()));
     if (skin->open > 0)
         printError(tr("Places that stay open: %1").arg(skin->open));
     return Done;
@@ -276,9 +275,8 @@ int writeOutput(const QCommandLineParser &parser, const Verb &verb, const Docume
                     parser.value(QStringLiteral("output"))};
     if (status)
         return *status;
-    if (parser.isSet(QStringLiteral("skin")) || (wish.format.isExported() &&
-                                                 !wish.format.writesCutting() &&
-                                                 !wish.format.writesSolids()))
+    if (parser.isSet(QStringLiteral("skin")) ||
+        (wish.format.isExported() && !wish.format.writesCutting() && !wish.format.writesSolids()))
         return writeSkin(wish, document, input);
     if (wish.format.writesCutting())
         return writeCuttingFile(parser, wish, document, input);

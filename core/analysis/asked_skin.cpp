@@ -9,8 +9,8 @@ constexpr double kSurfaceShare = 0.6;
 
 } // namespace
 
-Result<AskedSkin> askedSkin(const Snapshot &snapshot, const AskedSkin *previous,
-                            Progress &progress, std::stop_token stop)
+Result<AskedSkin> askedSkin(const Snapshot &snapshot, const AskedSkin *previous, Progress &progress,
+                            std::stop_token stop)
 {
     AskedSkin out;
     if (!snapshot.get(kQuestions).skin)
@@ -19,18 +19,17 @@ Result<AskedSkin> askedSkin(const Snapshot &snapshot, const AskedSkin *previous,
     out.sections = snapshot.get(kModel).sections();
     if (previous && previous->isAsked && previous->sections == out.sections)
         return *previous;
-    Result<Skin> skin = skinOf(
-        out.sections, {stop, [&](double share) { progress.set(kSurfaceShare * share); }});
+    Result<Skin> skin =
+        skinOf(out.sections, {stop, [&](double share) { progress.set(kSurfaceShare * share); }});
     if (!skin)
         return tl::unexpected(std::move(skin.error()));
     out.skin = *std::move(skin);
     if (!out.skin.mesh)
         return out;
-    auto shown = makeTemplateMesh(out.skin.mesh, {}, {std::move(stop), [&](double share) {
-                                                          progress.set(kSurfaceShare +
-                                                                       (1.0 - kSurfaceShare) *
-                                                                           share);
-                                                      }});
+    auto shown = makeTemplateMesh(out.skin.mesh, {},
+                                  {std::move(stop), [&](double share) {
+                                       progress.set(kSurfaceShare + (1.0 - kSurfaceShare) * share);
+                                   }});
     if (!shown)
         return tl::unexpected(std::move(shown.error()));
     out.shown = *std::move(shown);

@@ -9,7 +9,7 @@ namespace fff {
 
 struct AskedSkin
 {
-    bool isAsked = false; // else the rest is empty
+    bool isAsked = false;                 // else the rest is empty
     std::vector<SectionPointer> sections; // that it is over
     Skin skin;
     TemplateMeshPointer shown; // its mesh, ready to be drawn; null where there is none
@@ -18,7 +18,7 @@ struct AskedSkin
 inline constexpr StageOf<AskedSkin> kSkin{"skin"};
 
 /// What no edit has changed keeps its skin.
-Result<AskedSkin> askedSkin(const Snapshot &snapshot, const AskedSkin *previous,
-                            Progress &progress, std::stop_token stop);
+Result<AskedSkin> askedSkin(const Snapshot &snapshot, const AskedSkin *previous, Progress &progress,
+                            std::stop_token stop);
 
 } // namespace fff

@@ -33,6 +33,7 @@ enum class ErrorCode {
                       // kerf
     ClosedSlit,       // a slit that the kerf closes; args: section, the slit's width, the kerf
     NothingToExport,  // no section, so no part; args: a section, where slits leave nothing of any
+    NoSkin,           // of a model; args: where contours cross, how many places cannot be covered
     UnknownCommand,   // args: the command's id
     BadEvent,         // an event that makes no sense here; args: what, what was expected
     Unsupported,      // args: what

@@ -40,6 +40,12 @@ Alignment::Alignment(const Model &model, const ViewState &view, const std::set<S
         m_own.resize(kMostOwn);
 }
 
+Alignment::Alignment(const Model &model, const ViewState &view, std::vector<Vec3> own)
+    : Alignment(model, view, std::set<SectionRef>(), {})
+{
+    m_own = std::move(own);
+}
+
 Alignment::Line::Line(const Alignment &alignment, const Vec3 &axis)
     : m_axis(axis), m_own(alignment.m_own)
 {

@@ -20,6 +20,8 @@ public:
     /// each; of what is seen of all others the same, and the world's origin.
     Alignment(const Model &model, const ViewState &view, const std::set<SectionRef> &moved,
               const std::set<SectionRef> &along);
+    /// Of what is no section: these points of it, world.
+    Alignment(const Model &model, const ViewState &view, std::vector<Vec3> own);
 
     struct Caught
     {

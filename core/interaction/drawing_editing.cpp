@@ -178,6 +178,8 @@ SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Na
 
 SectionEdit placedSections(const Model &model, const Drawing &drawing, const DrawingRules &rules)
 {
+    if (drawing.outlines > kMostPlacedSections)
+        return tooMany(drawing, drawing.outlines);
     const auto outlines = outlinesIn(drawing);
     if (!outlines)
         return tl::unexpected(outlines.error());
@@ -252,6 +254,8 @@ SectionEdit drawingHoles(const Model &model, const SectionRef &ref, const Drawin
 {
     return onSection(model, ref, drawing,
                      [&](const Section &section, const Placing &placing) -> SectionEdit {
+                         if (drawing.outlines > kMostPlacedHoles)
+                             return tooMany(drawing, drawing.outlines);
                          const auto outlines = outlinesIn(drawing);
                          if (!outlines)
                              return tl::unexpected(outlines.error());

@@ -22,6 +22,8 @@ struct Drawing
     /// Where a template has them in the world.
     std::optional<Similarity> place = {};
     Text step = steps::kImportDrawing; // what the history says, of the name
+    /// Where they were counted already: too many are refused before their lines are looked into.
+    std::size_t outlines = 0;
 };
 
 /// A section for every outline, with its holes, on the plane of the front, beside the model and on

@@ -4,6 +4,7 @@
 #include "core/interaction/snapping.h"
 #include "core/model/origin.h"
 #include "core/operations/moving_model.h"
+#include "core/templates/flat_template.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,20 @@ constexpr double kLeans = 1e-3;
 /// Where the box for both ways is between those of the axes, of their distance.
 constexpr double kDiagonal = 0.72;
 
+/// The plane's axes, or those between them by right angles, as people see them: y is the more
+/// upright one, up rather than down, x to the right. The arrows are named so.
+Frame asSeen(Frame frame, const Eigen::Quaterniond &orientation)
+{
+    const Vec3 right = orientation * Vec3::UnitX(), above = orientation * Vec3::UnitY();
+    if (std::abs(frame.x.dot(above)) > std::abs(frame.y.dot(above)))
+        std::swap(frame.x, frame.y);
+    if (frame.y.dot(above) < 0.0)
+        frame.y = -frame.y;
+    if (frame.x.dot(right) < 0.0)
+        frame.x = -frame.x;
+    return frame;
+}
+
 Frame ownFrame(const Section &section, const Section *host, const Eigen::Quaterniond &orientation)
 {
     const Vec3 normal = section.frame.normal();
@@ -33,15 +48,7 @@ Frame ownFrame(const Section &section, const Section *host, const Eigen::Quatern
         if (up.norm() > kLeans) {
             frame.y = up.normalized();
             frame.x = frame.y.cross(normal);
-            // As people see it: y is the more upright one, up rather than down, x to the right. The
-            // arrows are named so.
-            const Vec3 right = orientation * Vec3::UnitX(), above = orientation * Vec3::UnitY();
-            if (std::abs(frame.x.dot(above)) > std::abs(frame.y.dot(above)))
-                std::swap(frame.x, frame.y);
-            if (frame.y.dot(above) < 0.0)
-                frame.y = -frame.y;
-            if (frame.x.dot(right) < 0.0)
-                frame.x = -frame.x;
+            frame = asSeen(frame, orientation);
         }
         frame.origin =
             host->frame.toWorld(0.5 * (section.parent->slitFrom + section.parent->slitTo));
@@ -128,6 +135,26 @@ Gizmo gizmoOf(const Model &model, const std::vector<SectionRef> &sections, bool 
         gizmo.parts.push_back(TurnX);
     if (isFree || across(0) <= across(1))
         gizmo.parts.push_back(TurnY);
+    return gizmo;
+}
+
+Gizmo gizmoOf(const Model &model, const Template &one, const Eigen::Quaterniond &orientation)
+{
+    using enum GizmoPart;
+    Gizmo gizmo;
+    const std::optional<Frame> world = worldFrame(one, model);
+    if (!world || !one.isRead())
+        return gizmo;
+    if (!one.isFlat()) {
+        gizmo.isInSpace = true;
+        gizmo.frame = {world->origin};
+        gizmo.parts = {MoveX, MoveY, MoveZ, MoveFree, ScaleAll, TurnX, TurnY, TurnZ};
+        return gizmo;
+    }
+    gizmo.frame = asSeen(*world, orientation);
+    gizmo.parts = {MoveX, MoveY, MoveFree, ScaleAll, TurnZ};
+    if (one.on == SectionRef())
+        gizmo.parts.push_back(MoveZ);
     return gizmo;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/interaction/camera.h"
 #include "core/model/model.h"
+#include "core/model/template.h"
 
 #include <array>
 #include <optional>
@@ -54,6 +55,10 @@ struct Gizmo
 /// orientation: of the camera, for which way x goes.
 Gizmo gizmoOf(const Model &model, const std::vector<SectionRef> &sections, bool isInSpace,
               const Eigen::Quaterniond &orientation);
+/// Of a template, on its middle. What is flat is moved along its own axes, and turned and scaled in
+/// its plane, which it leaves only where it lies on no section; a mesh along the world's axes, and
+/// turned about all of them. None of one that is not read, or whose section is not there.
+Gizmo gizmoOf(const Model &model, const Template &one, const Eigen::Quaterniond &orientation);
 
 /// As it is drawn.
 struct GizmoMarks

@@ -47,6 +47,9 @@ void Interaction::Private::move(const PointerEvent &event)
     GestureContext with = context();
     gesture = gestureFor(begin, sight(), with);
     cameraBefore = motion.camera;
+    if (tool && tool->givesWay() && !gesture->isOfView())
+        while (cancelTool())
+            ;
     clearOverlay();
     const std::vector<PointerEvent> moves(pending.begin() + 1, pending.end());
     pending.clear();

@@ -60,6 +60,7 @@ void Interaction::Private::feedClick(const PointerEvent &press)
     PointerEvent release = press;
     release.type = PointerEvent::Type::Release;
     release.time = now;
+    toolPress = press;
     GestureContext with = context();
     takeFromTool(tool->handle(press, with));
     if (!tool)

@@ -7,6 +7,8 @@
 #pragma once
 
 #include "core/base/message.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/similarity.h"
 #include "core/interaction/contour_target.h"
 #include "core/interaction/gizmo.h"
 #include "core/interaction/joint_marks.h"
@@ -15,6 +17,7 @@
 #include "core/interaction/point_sight.h"
 #include "core/stroke/symmetry.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -38,6 +41,7 @@ enum class SignRole {
     Doubt, // what will not do what it is for
     Load,
     LoadInHand, // that the cursor is over, or moves
+    Traced,     // what would be made of a picture
 };
 
 namespace sign {
@@ -48,6 +52,19 @@ struct Line
     std::vector<Vec3> points;
     bool hasTicks = false; // across its ends
     bool operator==(const Line &) const = default;
+};
+/// Many closed lines of one plane, which are shared: in its coordinates, from where they lie.
+struct Outlines
+{
+    SignRole role = SignRole::Traced;
+    Similarity placement;
+    std::shared_ptr<const std::vector<Polygon>> lines; // never null
+    bool operator==(const Outlines &other) const
+    {
+        return role == other.role && lines == other.lines &&
+               placement.turn == other.placement.turn && placement.scale == other.placement.scale &&
+               placement.shift == other.placement.shift;
+    }
 };
 /// A closed line of curves in a plane.
 struct Curve
@@ -194,9 +211,9 @@ struct Joints
 
 } // namespace sign
 
-using Sign =
-    std::variant<sign::Line, sign::Curve, sign::Handle, sign::Label, sign::Region, sign::Capsule,
-                 sign::Arrow, sign::Band, sign::Slit, sign::Stroke, sign::Guides, sign::Ground,
-                 sign::Rulers, sign::Points, sign::Joints, PenMarks, GizmoMarks, OperationMarks>;
+using Sign = std::variant<sign::Line, sign::Outlines, sign::Curve, sign::Handle, sign::Label,
+                          sign::Region, sign::Capsule, sign::Arrow, sign::Band, sign::Slit,
+                          sign::Stroke, sign::Guides, sign::Ground, sign::Rulers, sign::Points,
+                          sign::Joints, PenMarks, GizmoMarks, OperationMarks>;
 
 } // namespace fff

@@ -13,6 +13,7 @@ target_sources(fff_core PRIVATE
     interaction/figure_tool.cpp
     interaction/gizmo.cpp
     interaction/gizmo_drag.cpp
+    interaction/gizmo_hand.cpp
     interaction/hand_in_turn.cpp
     interaction/hovering.cpp
     interaction/interaction.cpp
@@ -61,6 +62,7 @@ target_sources(fff_core PRIVATE
     interaction/slit_turn.cpp
     interaction/slit_walls.cpp
     interaction/shape_offer.cpp
+    interaction/size_line_tool.cpp
     interaction/snapping.cpp
     interaction/steps_player.cpp
     interaction/steps_tool.cpp
@@ -70,6 +72,7 @@ target_sources(fff_core PRIVATE
     interaction/symmetry_editing.cpp
     interaction/template_drawing.cpp
     interaction/template_guides.cpp
+    interaction/template_tool.cpp
     interaction/transform_tool.cpp
     interaction/turning_drag.cpp
     interaction/view_cube.cpp

@@ -68,6 +68,9 @@ public:
     virtual bool leavesArrows() const { return false; }
     /// It works with clicks: also with those while Ctrl is held, whose drags turn the view.
     virtual bool takesClicks() const { return false; }
+    /// What is begun in the view with a press that it has no use for lays it down, unless that
+    /// moves the view alone.
+    virtual bool givesWay() const { return false; }
     /// Of one that asks for an input of an operation that there is: of which, and its role.
     struct Asked
     {

@@ -12,11 +12,11 @@ namespace fff {
 /// What is selected, and the gizmo of it.
 void TransformTool::follow(const GestureContext &context)
 {
-    if (m_drag)
+    if (m_hand.drag())
         return;
     std::vector<SectionRef> sections = sectionsInFocus(context.model, context.selection);
     if (sections != m_sections) {
-        m_typed.reset();
+        m_hand.dropTyped();
         m_copies.reset();
     }
     take(std::move(sections), context);
@@ -26,9 +26,9 @@ void TransformTool::take(std::vector<SectionRef> sections, const GestureContext 
 {
     m_sections = std::move(sections);
     m_refusal = whyNotEdited(context.model, m_sections);
-    m_gizmo = m_refusal ? Gizmo()
-                        : gizmoOf(context.model, m_sections, context.settings.movesInSpace,
-                                  context.camera.orientation);
+    m_hand.setGizmo(m_refusal ? Gizmo()
+                              : gizmoOf(context.model, m_sections, context.settings.movesInSpace,
+                                        context.camera.orientation));
 }
 
 std::optional<SectionRef> TransformTool::sectionAt(const Vec2 &position,
@@ -47,22 +47,14 @@ std::optional<SectionRef> TransformTool::sectionAt(const Vec2 &position,
     return context.model.ref(static_cast<std::size_t>(hits.front().section));
 }
 
-GizmoPart TransformTool::partAt(const PointerEvent &event, const GestureContext &context) const
-{
-    if (m_gizmo.parts.empty())
-        return GizmoPart::None;
-    return GizmoLook(m_gizmo, context.camera, context.viewport)
-        .partAt(event.position, reachOf(event.pointer));
-}
-
 bool TransformTool::takes(const PointerEvent &press, GestureContext &context) const
 {
-    return partAt(press, context) != GizmoPart::None || sectionAt(press.position, context);
+    return m_hand.partAt(press, context) != GizmoPart::None || sectionAt(press.position, context);
 }
 
 bool TransformTool::takesControl(const PointerEvent &press, GestureContext &context) const
 {
-    return partAt(press, context) != GizmoPart::None;
+    return m_hand.partAt(press, context) != GizmoPart::None;
 }
 
 GestureReply TransformTool::begin(GestureContext &context, double)
@@ -76,9 +68,9 @@ Hint TransformTool::hintFor(GizmoPart part, const GestureContext &context) const
 {
     if (m_refusal)
         return *m_refusal;
-    if (m_typed)
-        return m_typed->copies > 0 ? Hint(Message{hints::kTransformCopies, {}, m_typed->copies})
-                                   : Hint(hints::kTransformNumbers);
+    if (const auto &typed = m_hand.typed())
+        return typed->copies > 0 ? Hint(Message{hints::kTransformCopies, {}, typed->copies})
+                                 : Hint(hints::kTransformNumbers);
     if (isTurn(part))
         return hints::kDragToTurn;
     if (isScale(part))
@@ -101,34 +93,26 @@ Hint TransformTool::hintFor(GizmoPart part, const GestureContext &context) const
 void TransformTool::mark(GestureContext &context, bool hasCursor)
 {
     follow(context);
-    if (!hasCursor && !m_drag)
-        m_hovered = GizmoPart::None;
-    if (!m_drag)
-        m_hint = hintFor(m_hovered, context);
-    if (m_gizmo.parts.empty())
+    if (!hasCursor && !m_hand.drag())
+        m_hand.setHovered(GizmoPart::None);
+    if (!m_hand.drag())
+        m_hint = hintFor(m_hand.hovered(), context);
+    if (m_hand.isEmpty())
         return;
-    GizmoMarks marks{m_gizmo, m_hovered};
-    if (m_drag) {
-        const Transform &transform = m_drag->transform();
-        marks.lit = m_drag->part();
-        marks.value = GizmoMarks::Value{m_drag->value()};
-        marks.guides = m_drag->guides();
+    GizmoMarks marks = m_hand.marks();
+    if (m_hand.drag())
         marks.copies = m_leavesCopy ? 1 : 0;
-        marks.gizmo.frame = placed(m_gizmo.frame, transform.times(1));
-        marks.gizmo.parts = {m_drag->part()};
-    } else if (m_typed) {
-        marks.gizmo.frame = placed(m_gizmo.frame, typedTransform().times(1));
-        marks.copies = m_typed->copies;
-    }
+    else if (m_hand.typed())
+        marks.copies = m_hand.typed()->copies;
     context.overlay.held.add(std::move(marks));
 }
 
 void TransformTool::beginDrag(const PointerEvent &event, GestureContext &context,
                               GestureReply &reply)
 {
-    GizmoPart part = partAt(*m_press, context);
+    GizmoPart part = m_hand.partAt(*m_hand.pressed(), context);
     if (part == GizmoPart::None) {
-        const std::optional<SectionRef> over = sectionAt(m_press->position, context);
+        const std::optional<SectionRef> over = sectionAt(m_hand.pressed()->position, context);
         if (!over)
             return;
         if (std::find(m_sections.begin(), m_sections.end(), *over) == m_sections.end()) {
@@ -137,12 +121,11 @@ void TransformTool::beginDrag(const PointerEvent &event, GestureContext &context
         }
         part = GizmoPart::MoveFree;
     }
-    if (m_refusal || !m_gizmo.has(part)) {
+    if (m_refusal || !m_hand.gizmo().has(part)) {
         reply.note = m_refusal;
-        m_press.reset();
+        m_hand.letGo();
         return;
     }
-    m_typed.reset();
     m_copies.reset();
     std::optional<Alignment> snaps;
     if (context.settings.snaps) {
@@ -150,9 +133,8 @@ void TransformTool::beginDrag(const PointerEvent &event, GestureContext &context
         snaps.emplace(context.model, context.view, moved,
                       movingWith(context.model, m_sections, context.settings.takesChildren));
     }
-    m_drag.emplace(m_gizmo, part, m_press->position, context, snaps);
+    m_hand.begin(part, context, snaps);
     m_leavesCopy = event.modifiers.control;
-    m_press.reset();
 }
 
 SectionEdit TransformTool::editOf(const Transform &transform, int copies,
@@ -160,7 +142,7 @@ SectionEdit TransformTool::editOf(const Transform &transform, int copies,
 {
     const Model &model = context.model;
     if (copies == 0)
-        return transformed(model, m_sections, transform, m_gizmo.frame,
+        return transformed(model, m_sections, transform, m_hand.gizmo().frame,
                            context.settings.takesChildren);
     if (!m_copies || std::ssize(m_copies->drawn) != copies)
         m_copies = copied(model, m_sections, copies);
@@ -193,25 +175,24 @@ GestureReply TransformTool::committed(SectionEdit edit) const
 GestureReply TransformTool::press(const PointerEvent &event, GestureContext &context)
 {
     follow(context);
-    m_press = event;
-    m_hovered = partAt(event, context);
-    return m_typed ? dropNumbers(context) : GestureReply();
+    m_hand.press(event, context);
+    return m_hand.typed() ? dropNumbers(context) : GestureReply();
 }
 
 GestureReply TransformTool::drag(const PointerEvent &event, GestureContext &context)
 {
     GestureReply reply;
-    if (m_press) {
-        if ((event.position - m_press->position).norm() <= context.settings.dragThreshold)
+    if (m_hand.pressed()) {
+        if (!m_hand.becomesDrag(event, context))
             return reply;
         beginDrag(event, context, reply);
     }
-    if (!m_drag)
+    if (!m_hand.drag())
         return reply;
     m_leavesCopy = event.modifiers.control;
-    m_drag->moveTo(event.position, event.modifiers.shift, context);
+    m_hand.drag()->moveTo(event.position, event.modifiers.shift, context);
     m_hint = m_leavesCopy ? hints::kLeavingCopy : hints::kTransforming;
-    GestureReply next = shown(editOf(m_drag->transform(), m_leavesCopy ? 1 : 0, context));
+    GestureReply next = shown(editOf(m_hand.drag()->transform(), m_leavesCopy ? 1 : 0, context));
     next.select = std::move(reply.select);
     return next;
 }
@@ -219,20 +200,20 @@ GestureReply TransformTool::drag(const PointerEvent &event, GestureContext &cont
 GestureReply TransformTool::release(const PointerEvent &event, GestureContext &context)
 {
     GestureReply reply;
-    if (m_press) {
+    if (m_hand.pressed()) {
         // A part of the gizmo that is clicked is none of the section behind it.
-        reply.isClick = m_hovered == GizmoPart::None;
-        m_press.reset();
+        reply.isClick = m_hand.hovered() == GizmoPart::None;
+        m_hand.letGo();
         return reply;
     }
-    if (!m_drag)
+    if (!m_hand.drag())
         return reply;
     m_leavesCopy = event.modifiers.control;
-    m_drag->moveTo(event.position, event.modifiers.shift, context);
-    const Transform transform = m_drag->transform();
+    m_hand.drag()->moveTo(event.position, event.modifiers.shift, context);
+    const Transform transform = m_hand.drag()->transform();
     const bool moves = !transform.isNothing();
     reply = moves ? committed(editOf(transform, m_leavesCopy ? 1 : 0, context)) : GestureReply();
-    m_drag.reset();
+    m_hand.letGo();
     m_copies.reset();
     m_leavesCopy = false;
     return reply;
@@ -251,29 +232,28 @@ GestureReply TransformTool::handle(const PointerEvent &event, GestureContext &co
     default:
         break;
     }
-    if (m_press || m_drag)
+    if (m_hand.pressed() || m_hand.drag())
         return drag(event, context);
     follow(context);
-    m_hovered = partAt(event, context);
+    m_hand.setHovered(m_hand.partAt(event, context));
     GestureReply reply;
-    if (m_typed) // they stay shown while the mouse is elsewhere
+    if (m_hand.typed()) // they stay shown while the mouse is elsewhere
         reply.preview = m_typedShown;
     return reply;
 }
 
 GestureReply TransformTool::interrupt(GestureContext &)
 {
-    m_press.reset();
-    m_drag.reset();
+    m_hand.letGo();
     m_copies.reset();
     return {};
 }
 
 GestureReply TransformTool::cancel(GestureContext &context)
 {
-    if (m_drag || m_press)
+    if (m_hand.drag() || m_hand.pressed())
         return interrupt(context);
-    if (m_typed)
+    if (m_hand.typed())
         return dropNumbers(context);
     GestureReply reply;
     reply.state = GestureReply::State::Over;
@@ -283,90 +263,39 @@ GestureReply TransformTool::cancel(GestureContext &context)
 /// It goes on with what is selected then.
 GestureReply TransformTool::modelChanged(GestureContext &context)
 {
-    m_typed.reset();
+    m_hand.dropTyped();
     interrupt(context);
     follow(context);
     return {};
 }
 
-Transform TransformTool::typedTransform() const
-{
-    Transform transform;
-    transform.pivot = m_gizmo.frame.origin;
-    for (int axis : {0, 1, 2})
-        transform.way += m_typed->way[axis] * m_gizmo.axis(axis);
-    transform.axis = m_gizmo.axis(m_gizmo.isInSpace ? 1 : 2);
-    transform.angle = m_typed->angle;
-    transform.factor = m_typed->factor;
-    return transform;
-}
-
 std::vector<ToolNumber> TransformTool::numbers() const
 {
-    using Kind = ToolNumber::Kind;
-    if (m_gizmo.parts.empty())
-        return {};
-    Typed typed = m_typed.value_or(Typed());
-    if (m_drag) { // what the hand does
-        const Transform &transform = m_drag->transform();
-        for (int axis : {0, 1, 2})
-            typed.way[axis] = transform.way.dot(m_gizmo.axis(axis));
-        typed.angle = transform.angle;
-        typed.factor = isScale(m_drag->part()) ? m_drag->value() : 1.0;
-        typed.copies = m_leavesCopy ? 1 : 0;
-    }
-    const bool isInSpace = m_gizmo.isInSpace;
-    return {{isInSpace ? Kind::MoveX : Kind::MoveRight, typed.way.x()},
-            {isInSpace ? Kind::MoveY : Kind::MoveUp, typed.way.y()},
-            {isInSpace ? Kind::MoveZ : Kind::MoveOut, typed.way.z()},
-            {Kind::Turn, typed.angle},
-            {Kind::Size, typed.factor},
-            {Kind::Copies, double(typed.copies)}};
+    std::vector<ToolNumber> numbers = m_hand.numbers();
+    if (numbers.empty())
+        return numbers;
+    const int typed = m_hand.typed() ? m_hand.typed()->copies : 0;
+    const int copies = m_hand.drag() ? (m_leavesCopy ? 1 : 0) : typed;
+    numbers.push_back({ToolNumber::Kind::Copies, double(copies)});
+    return numbers;
 }
 
 GestureReply TransformTool::setNumbers(const std::vector<ToolNumber> &numbers,
                                        GestureContext &context)
 {
     follow(context);
-    if (m_gizmo.parts.empty() || m_drag)
+    if (m_hand.isEmpty() || m_hand.drag())
         return {};
-    Typed typed = m_typed.value_or(Typed());
-    for (const ToolNumber &number : numbers) {
-        switch (number.kind) {
-        case ToolNumber::Kind::MoveX:
-        case ToolNumber::Kind::MoveRight:
-            typed.way.x() = number.value;
-            break;
-        case ToolNumber::Kind::MoveY:
-        case ToolNumber::Kind::MoveUp:
-            typed.way.y() = number.value;
-            break;
-        case ToolNumber::Kind::MoveZ:
-        case ToolNumber::Kind::MoveOut:
-            typed.way.z() = number.value;
-            break;
-        case ToolNumber::Kind::Turn:
-            typed.angle = number.value;
-            break;
-        case ToolNumber::Kind::Size:
-            typed.factor = number.value;
-            break;
-        case ToolNumber::Kind::Copies:
-            typed.copies = static_cast<int>(std::clamp(number.value, 0.0, kMostCopies));
-            break;
-        default:
-            break;
-        }
-    }
-    m_typed = typed;
-    GestureReply reply = shown(editOf(typedTransform(), typed.copies, context));
+    m_hand.type(numbers);
+    const GizmoNumbers &typed = *m_hand.typed();
+    GestureReply reply = shown(editOf(typed.transform(m_hand.gizmo()), typed.copies, context));
     m_typedShown = reply.preview;
     return reply;
 }
 
 GestureReply TransformTool::dropNumbers(GestureContext &)
 {
-    m_typed.reset();
+    m_hand.dropTyped();
     m_copies.reset();
     return {};
 }
@@ -380,13 +309,13 @@ std::vector<std::string_view> TransformTool::commands() const
 
 bool TransformTool::wants(ToolKey key) const
 {
-    return key == ToolKey::Enter && m_typed;
+    return key == ToolKey::Enter && m_hand.typed();
 }
 
 GestureReply TransformTool::key(ToolKey, GestureContext &context)
 {
-    const Transform transform = typedTransform();
-    const int copies = m_typed->copies;
+    const Transform transform = m_hand.typed()->transform(m_hand.gizmo());
+    const int copies = m_hand.typed()->copies;
     GestureReply reply =
         !transform.isNothing() ? committed(editOf(transform, copies, context)) : GestureReply();
     dropNumbers(context);
@@ -395,11 +324,12 @@ GestureReply TransformTool::key(ToolKey, GestureContext &context)
 
 Cursor TransformTool::cursor() const
 {
-    if (m_drag)
+    if (m_hand.drag())
         return m_leavesCopy ? Cursor::ArrowWithPlus : Cursor::MoveCross;
-    if (isTurn(m_hovered))
+    if (isTurn(m_hand.hovered()))
         return Cursor::TurningArrows;
-    const bool moves = m_hovered != GizmoPart::None || m_hint.words.text == hints::kDragToMove ||
+    const bool moves = m_hand.hovered() != GizmoPart::None ||
+                       m_hint.words.text == hints::kDragToMove ||
                        m_hint.words.text == hints::kTransformDrag;
     return moves ? Cursor::MoveCross : Cursor::Arrow;
 }

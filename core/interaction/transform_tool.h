@@ -9,7 +9,7 @@
 //     typing      numbers are shown at once; Enter is one step, Esc drops them.
 #pragma once
 
-#include "core/interaction/gizmo_drag.h"
+#include "core/interaction/gizmo_hand.h"
 #include "core/interaction/section_editing.h"
 #include "core/interaction/tool.h"
 #include "core/interaction/transform_words.h"
@@ -28,8 +28,8 @@ public:
     std::string_view command() const override { return kCommand; }
     bool takes(const PointerEvent &press, GestureContext &context) const override;
     bool takesControl(const PointerEvent &press, GestureContext &context) const override;
-    bool marksSections() const override { return !m_drag; }
-    bool leavesArrows() const override { return !m_drag && !m_typed; }
+    bool marksSections() const override { return !m_hand.drag(); }
+    bool leavesArrows() const override { return !m_hand.drag() && !m_hand.typed(); }
     GestureReply begin(GestureContext &context, double time) override;
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     void mark(GestureContext &context, bool hasCursor) override;
@@ -47,40 +47,25 @@ public:
     Cursor cursor() const override;
 
 private:
-    /// What numbers say.
-    struct Typed
-    {
-        Vec3 way = Vec3::Zero(); // along the gizmo's axes, mm
-        double angle = 0.0;      // about its z, in space its y
-        double factor = 1.0;
-        int copies = 0;
-    };
-
     void follow(const GestureContext &context);
     void take(std::vector<SectionRef> sections, const GestureContext &context);
     std::optional<SectionRef> sectionAt(const Vec2 &position, const GestureContext &context) const;
-    GizmoPart partAt(const PointerEvent &event, const GestureContext &context) const;
     GestureReply press(const PointerEvent &event, GestureContext &context);
     GestureReply drag(const PointerEvent &event, GestureContext &context);
     GestureReply release(const PointerEvent &event, GestureContext &context);
     void beginDrag(const PointerEvent &event, GestureContext &context, GestureReply &reply);
-    Transform typedTransform() const;
     SectionEdit editOf(const Transform &transform, int copies, const GestureContext &context);
     GestureReply shown(SectionEdit edit) const;
     GestureReply committed(SectionEdit edit) const;
     Hint hintFor(GizmoPart part, const GestureContext &context) const;
 
     std::vector<SectionRef> m_sections; // that are selected, as of the last look
-    Gizmo m_gizmo;
-    std::optional<Hint> m_refusal;       // why none of them can be moved
-    std::optional<PointerEvent> m_press; // not a drag yet
-    std::optional<GizmoDrag> m_drag;
-    bool m_leavesCopy = false;      // Ctrl, while dragging
-    std::optional<Copies> m_copies; // of the sections, so many of them
-    std::optional<Typed> m_typed;
-    std::optional<Document> m_typedShown; // what they make
-    GizmoPart m_hovered = GizmoPart::None;
-    Vec2 m_position = Vec2::Zero(); // of the cursor, px
+    GizmoHand m_hand;
+    std::optional<Hint> m_refusal;        // why none of them can be moved
+    bool m_leavesCopy = false;            // Ctrl, while dragging
+    std::optional<Copies> m_copies;       // of the sections, so many of them
+    std::optional<Document> m_typedShown; // what numbers make
+    Vec2 m_position = Vec2::Zero();       // of the cursor, px
     Pointer m_pointer = Pointer::Mouse;
     Hint m_hint = hints::kTransformPick;
 };

@@ -181,6 +181,12 @@ QString errorSentence(const Error &error)
         return hasArg ? ErrorTexts::tr(
                             "slits leave nothing of any section, so there is nothing to cut")
                       : ErrorTexts::tr("there is no section yet, so there is nothing to cut");
+    case ErrorCode::NoSkin:
+        return hasArg ? ErrorTexts::tr("none of the places between its contours can be covered "
+                                       "(%1), so there is no skin")
+                            .arg(verbatim(args, 0))
+                      : ErrorTexts::tr(
+                            "no contours cross each other at their edges, so there is no skin");
     case ErrorCode::UnknownCommand:
         return hasArg ? ErrorTexts::tr("there is no command \"%1\"").arg(verbatim(args, 0))
                       : ErrorTexts::tr("there is no such command");

@@ -17,11 +17,7 @@ namespace {
 std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
-        &svgFormat(),
-        &objFormat(),
-        &stlFormat(),
-        &fffFormat(),
-        &flatfabFormat(),
+        &svgFormat(), &objFormat(), &stlFormat(), &fffFormat(), &flatfabFormat(),
     };
     return formats;
 }

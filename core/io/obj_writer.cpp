@@ -186,9 +186,8 @@ const Format &objFormat()
         .title = QT_TRANSLATE_NOOP("Format", "OBJ, solids in place"),
         .titleOfSkin = QT_TRANSLATE_NOOP("Format", "OBJ, skin as a mesh"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "the solids in place"),
-        .writeSolids = [](const Model &model, const Bodies &bodies, const FormatValues &) {
-            return writeObj(model, bodies);
-        },
+        .writeSolids = [](const Model &model, const Bodies &bodies,
+                          const FormatValues &) { return writeObj(model, bodies); },
         .writeSkin = [](const TriangleMesh &mesh) { return writeObj(mesh); }};
     return format;
 }

@@ -17,13 +17,6 @@ namespace {
 constexpr double kLeastMeantPerInch = 100.0;
 constexpr double kMillimetresPerInch = 25.4, kMillimetresPerMetre = 1000.0;
 
-tl::unexpected<Error> tooManyPixels(const std::string &name, std::int64_t pixels, std::int64_t most)
-{
-    return failure(
-        ErrorCode::BadCount, name,
-        {std::to_string(pixels), std::to_string(most), QT_TRANSLATE_NOOP("Error", "pixels")});
-}
-
 /// Qt refuses above a limit of its own, for all of the program: ours is known before.
 void liftLimit()
 {
@@ -63,14 +56,25 @@ TemplatePicturePointer pixelsOf(const QImage &image)
 
 } // namespace
 
+Result<void> checkedPixels(std::int64_t width, std::int64_t height, const std::string &name,
+                           std::int64_t mostPixels)
+{
+    if (width * height > mostPixels)
+        return failure(ErrorCode::BadCount, name,
+                       {std::to_string(width * height), std::to_string(mostPixels),
+                        QT_TRANSLATE_NOOP("Error", "pixels")});
+    return {};
+}
+
 Result<LoadedPicture> readPicture(std::string_view bytes, const std::string &name,
                                   std::int64_t mostPixels, const LongWork &work)
 {
     const Result<PictureHeader> header = pictureHeader(bytes, name);
     if (!header)
         return tl::unexpected(header.error());
-    if (header->width * header->height > mostPixels)
-        return tooManyPixels(name, header->width * header->height, mostPixels);
+    if (Result<void> affordable = checkedPixels(header->width, header->height, name, mostPixels);
+        !affordable)
+        return tl::unexpected(std::move(affordable.error()));
     if (work.isStopped())
         return failure(ErrorCode::Cancelled);
     liftLimit();
@@ -83,8 +87,10 @@ Result<LoadedPicture> readPicture(std::string_view bytes, const std::string &nam
     if (!QImageReader::supportedImageFormats().contains(header->format))
         return failure(ErrorCode::Unsupported, name, {header->title});
     const QSize size = reader.size();
-    if (size.isValid() && std::int64_t(size.width()) * size.height() > mostPixels)
-        return tooManyPixels(name, std::int64_t(size.width()) * size.height(), mostPixels);
+    if (size.isValid())
+        if (Result<void> affordable = checkedPixels(size.width(), size.height(), name, mostPixels);
+            !affordable)
+            return tl::unexpected(std::move(affordable.error()));
     QImage image = reader.read();
     if (work.isStopped())
         return failure(ErrorCode::Cancelled);

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/templates/template_picture.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,10 @@ struct LoadedPicture
     double millimetresPerPixel = 0.0;
     bool isAnimated = false; // this is the first of several
 };
+
+/// Not too large to be afforded. Errors  BadCount above mostPixels.
+Result<void> checkedPixels(std::int64_t width, std::int64_t height, const std::string &name,
+                           std::int64_t mostPixels = kMostPicturePixels);
 
 /// A picture as PNG, JPEG or, where the platform reads it, WebP, upright as its camera was held,
 /// in the colours of screens. What is larger than mostPixels is refused before memory is taken for

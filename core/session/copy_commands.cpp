@@ -20,7 +20,7 @@ constexpr CommandWords kCopyWords[] = {
     {"edit.copy", FFF_TEXT("Command", "&Copy"), FFF_TEXT("Command", "Copy"), "Ctrl+C", "copy",
      FFF_TEXT("Command", "Copy the selected sections, also for other windows and programs")},
     {"edit.paste", FFF_TEXT("Command", "&Paste"), FFF_TEXT("Command", "Paste"), "Ctrl+V", "paste",
-     FFF_TEXT("Command", "Add the sections that were copied")},
+     FFF_TEXT("Command", "Add the sections that were copied, or a picture to draw over")},
     {"edit.duplicate", FFF_TEXT("Command", "Dup&licate"), FFF_TEXT("Command", "Duplicate"),
      "Ctrl+D", "duplicate", FFF_TEXT("Command", "Put a copy of the selected sections beside them")},
     {"edit.mirrorCopyX", FFF_TEXT("Command", "Across &X"), FFF_TEXT("Command", "Mirror X"), "",

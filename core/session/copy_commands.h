@@ -11,7 +11,7 @@
 namespace fff::hints {
 
 inline constexpr Text kNothingToPaste =
-    FFF_TEXT("Hint", "Nothing pasted: nothing that was copied has sections in it.");
+    FFF_TEXT("Hint", "Nothing pasted: what was copied has neither sections nor a picture in it.");
 
 } // namespace fff::hints
 

@@ -1,20 +1,33 @@
 #include "core/session/flat_template_commands.h"
 
 #include "core/base/units.h"
+#include "core/interaction/size_line_tool.h"
 #include "core/interaction/template_drawing.h"
+#include "core/interaction/template_tool.h"
+#include "core/interaction/template_words.h"
 #include "core/model/template_edits.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 #include "core/session/template_commands.h"
 #include "core/session/template_parameters.h"
-#include "core/session/template_words.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kTemplateWords[] = {
+    {"template.transform", FFF_TEXT("Command", "Move a te&mplate"), FFF_TEXT("Command", "Handles"),
+     "", "transform",
+     FFF_TEXT("Command", "Move, turn and scale the template with handles or numbers"), true},
+    {"template.sizeByLine", FFF_TEXT("Command", "Size a template by a &line"),
+     FFF_TEXT("Command", "Size by a line"), "", "dimension",
+     FFF_TEXT("Command", "Draw a line over the template and say how long it is"), true},
+};
 
 constexpr double kOfHundred = 100.0;
 constexpr int kMostSpeckle = 1'000'000; // px²
@@ -99,15 +112,23 @@ public:
         return commit(laidOn(*one, *m_session.committed().find(*ref)), time);
     }
 
+    Result<void> transform(const CommandParameters &parameters, double time) const
+    {
+        return pickUp<TemplateTool>(parameters, time);
+    }
+
     Result<void> sizeByLine(const CommandParameters &parameters, double time) const
     {
+        constexpr std::array<const char *, 5> kOfLine{"x1", "y1", "x2", "y2", "length"};
+        if (std::none_of(kOfLine.begin(), kOfLine.end(),
+                         [&](const char *key) { return textOf(parameters, key) != nullptr; }))
+            return pickUp<SizeLineTool>(parameters, time);
         const Result<Template> one = flatOf(parameters, "template");
         if (!one)
             return tl::unexpected(one.error());
         std::array<double, 5> numbers{};
-        const std::array<const char *, 5> keys{"x1", "y1", "x2", "y2", "length"};
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            const Result<double> number = numberOf(parameters, keys[i], 0.0);
+        for (std::size_t i = 0; i < kOfLine.size(); ++i) {
+            const Result<double> number = numberOf(parameters, kOfLine[i], 0.0);
             if (!number)
                 return tl::unexpected(number.error());
             numbers[i] = *number;
@@ -180,6 +201,16 @@ public:
     }
 
 private:
+    template <class InHand>
+    Result<void> pickUp(const CommandParameters &parameters, double time) const
+    {
+        const Result<Template> one = templateOf(m_session.committed().document, parameters);
+        if (!one)
+            return tl::unexpected(one.error());
+        m_interaction.pickUp(std::make_unique<InHand>(one->id), time);
+        return {};
+    }
+
     Result<Template> flatOf(const CommandParameters &parameters, const char *key) const
     {
         Result<Template> one = templateOf(m_session.committed().document, parameters, key);
@@ -197,12 +228,9 @@ private:
         for (std::size_t i = 0; name && i < model.sectionCount(); ++i)
             if (model.nameOf(model.ref(i)) == *name)
                 return model.ref(i);
-        if (!name && model.find(given))
-            return given;
-        const std::vector<SectionRef> inFocus = m_interaction.sectionsInFocus();
-        if (!name && inFocus.size() == 1)
-            return inFocus.front();
-        return failure(ErrorCode::BadValue, "section", {name ? *name : "", "a section"});
+        if (name)
+            return failure(ErrorCode::BadValue, "section", {*name, "a section"});
+        return sectionToDrawOn(model, given, m_interaction.sectionsInFocus());
     }
 
     Result<void> commit(const Template &changed, double time) const
@@ -220,6 +248,16 @@ private:
 };
 
 } // namespace
+
+Result<SectionRef> sectionToDrawOn(const Model &model, const SectionRef &liesOn,
+                                   const std::vector<SectionRef> &inFocus)
+{
+    if (model.find(liesOn))
+        return liesOn;
+    if (inFocus.size() == 1)
+        return inFocus.front();
+    return failure(ErrorCode::BadValue, "section", {"", "a section"});
+}
 
 Result<EditedSections> alignedTemplates(const Document &document, const Template &front,
                                         const Template &side, bool isByDrawn)
@@ -253,15 +291,24 @@ void registerFlatTemplateCommands(CommandRegistry &registry, Session &session,
                                [](const TemplatePointer &one) { return one->isFlat(); });
         },
         FFF_TEXT("Command", "There is no picture and no drawing: add one first"));
-    for (const auto &[id, run] :
-         {std::pair("template.lay", Run(&FlatTemplateCommands::lay)),
-          std::pair("template.sizeByLine", Run(&FlatTemplateCommands::sizeByLine)),
-          std::pair("template.align", Run(&FlatTemplateCommands::align)),
-          std::pair("template.trace", Run(&FlatTemplateCommands::trace))})
+    for (const auto &[id, run] : {std::pair("template.lay", Run(&FlatTemplateCommands::lay)),
+                                  std::pair("template.align", Run(&FlatTemplateCommands::align)),
+                                  std::pair("template.trace", Run(&FlatTemplateCommands::trace))})
         registry.add(id, {[commands, run = run](const CommandParameters &parameters, double time) {
                               return (commands.*run)(parameters, time);
                           },
                           hasFlat});
+    const CommandRule hasAny =
+        needs([&session] { return !session.committed().document.templates.empty(); },
+              FFF_TEXT("Command", "There is no template: add a mesh or a picture first"));
+    for (const auto &[id, run] :
+         {std::pair("template.transform", Run(&FlatTemplateCommands::transform)),
+          std::pair("template.sizeByLine", Run(&FlatTemplateCommands::sizeByLine))})
+        registry.add(id, {[commands, run = run](const CommandParameters &parameters, double time) {
+                              return (commands.*run)(parameters, time);
+                          },
+                          hasAny, inHand(interaction, id)});
+    registry.offer(kTemplateWords);
 }
 
 } // namespace fff

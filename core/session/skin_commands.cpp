@@ -18,18 +18,19 @@ constexpr CommandWords kSkinWords[] = {
 void registerSkinCommands(CommandRegistry &registry, Session &session)
 {
     const auto isOn = [&session] { return session.scheduler().questions().skin; };
-    registry.add("view.skin",
-                 {[&session, isOn](const CommandParameters &parameters, double) -> Result<void> {
-                      Scheduler &scheduler = session.scheduler();
-                      Questions questions = scheduler.questions();
-                      questions.skin = switched(parameters, isOn());
-                      scheduler.want(kSkin.name);
-                      scheduler.ask(questions);
-                      return {};
-                  },
-                  needs([&session, isOn] { return isOn() || session.committed().sectionCount() > 0; },
-                        kNothingThere),
-                  isOn});
+    registry.add(
+        "view.skin",
+        {[&session, isOn](const CommandParameters &parameters, double) -> Result<void> {
+             Scheduler &scheduler = session.scheduler();
+             Questions questions = scheduler.questions();
+             questions.skin = switched(parameters, isOn());
+             scheduler.want(kSkin.name);
+             scheduler.ask(questions);
+             return {};
+         },
+         needs([&session, isOn] { return isOn() || session.committed().sectionCount() > 0; },
+               kNothingThere),
+         isOn});
     registry.offer(kSkinWords);
 }
 

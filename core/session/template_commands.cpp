@@ -2,13 +2,13 @@
 
 #include "core/analysis/facetted.h"
 #include "core/base/units.h"
+#include "core/interaction/template_words.h"
 #include "core/io/template_file.h"
 #include "core/model/template_edits.h"
 #include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 #include "core/session/template_making.h"
 #include "core/session/template_parameters.h"
-#include "core/session/template_words.h"
 #include "core/templates/flat_template.h"
 
 #include <algorithm>

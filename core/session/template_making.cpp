@@ -1,8 +1,8 @@
 #include "core/session/template_making.h"
 
 #include "core/analysis/facetted.h"
+#include "core/interaction/template_words.h"
 #include "core/model/template_edits.h"
-#include "core/session/template_words.h"
 
 namespace fff {
 

@@ -78,6 +78,14 @@ TriangleMeshPointer meshOf(const GrowingMesh &grown)
 
 } // namespace
 
+Error noSkin(const Skin &skin)
+{
+    Error error{ErrorCode::NoSkin, {}, {}};
+    if (skin.open > 0)
+        error.args.push_back(std::to_string(skin.open));
+    return error;
+}
+
 Result<Skin> skinOf(const std::vector<SectionPointer> &sections, const LongWork &work)
 {
     const Result<ContourNetwork> network =

@@ -17,6 +17,9 @@ struct Skin
     int open = 0; // cycles of contours over which there is none: of too many sides, or folded
 };
 
+/// Why a skin without a mesh is none: NoSkin.
+Error noSkin(const Skin &skin);
+
 /// A patch over each cycle of contours that cross each other at their edges, and tubes between
 /// outlines that only follow each other. Neighbours share the points of the contour between them,
 /// so a skin without open cycles is closed. Holes of sections are covered.

@@ -14,6 +14,7 @@ target_sources(fff_core PRIVATE
     templates/mesh_surface.cpp
     templates/mesh_tree.cpp
     templates/placed_mesh.cpp
+    templates/moved_template.cpp
     templates/plane_cut.cpp
     templates/pulled_templates.cpp
     templates/simplified_mesh.cpp

@@ -145,7 +145,7 @@ void TestCli::wrongUse_data()
     row("unknown option", "info a.fff --colour red");
     row("option without its value", "info a.fff --thickness");
     row("export without output", "export a.fff");
-    row("export to a kind that is not written", "export a.fff -o a.stl");
+    row("export to a kind that is not written", "export a.fff -o a.doc");
     row("thickness of zero", "info a.fff --thickness 0");
     row("thickness in words", "info a.fff --thickness thin");
     row("sheet of one number", "info a.fff --sheet 600");

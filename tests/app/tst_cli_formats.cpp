@@ -54,7 +54,8 @@ void TestCliFormats::whatHelpSays()
                             "OUT.{fff,svg,obj,stl} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
     const VerbRun help = run({u"export"_s, u"--help"_s});
-    QVERIFY(help.out.contains("svg, obj, stl or fff; needed if the file's name does not tell."));
+    QVERIFY(help.out.simplified().contains(
+        "svg, obj, stl or fff; needed if the file's name does not tell."));
     QVERIFY(help.out.contains("Millimetres per unit of a FlatFab file (25.4)."));
 }
 

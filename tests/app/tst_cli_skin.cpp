@@ -63,8 +63,7 @@ void TestCliSkin::aBall()
     std::vector<SectionPointer> discs = sphere(50.0, {0.0});
     const Eigen::Isometry3d up(Eigen::Translation3d(0.0, 80.0, 0.0));
     const QString model = put(u"ball.fff"_s, moved(discs, up));
-    const Run told =
-        run(QStringList{u"export"_s, model, u"-o"_s, path(file)} + options, false);
+    const Run told = run(QStringList{u"export"_s, model, u"-o"_s, path(file)} + options, false);
     QVERIFY2(told.status == 0, told.err);
     QVERIFY2(told.err.startsWith("Patches: 8, triangles: "), told.err);
     QVERIFY2(!told.err.contains("open"), told.err);
@@ -113,7 +112,8 @@ void TestCliSkin::wrongUse()
 {
     QFETCH(QString, file);
     const QString model = put(u"wrong.fff"_s, sphere(50.0, {0.0}));
-    const Run told = run({u"export"_s, model, u"--skin"_s, u"-o"_s, path(u"wrong_"_s + file)}, false);
+    const Run told =
+        run({u"export"_s, model, u"--skin"_s, u"-o"_s, path(u"wrong_"_s + file)}, false);
     QCOMPARE(told.status, 1);
     QVERIFY2(told.err.contains("--skin: this kind of file cannot hold it; expected .obj or .stl."),
              told.err);

@@ -73,6 +73,7 @@ set(windows
     ui/tst_operations_window
     ui/tst_pen_window
     ui/tst_pens_and_fingers
+    ui/tst_picture_window
     ui/tst_point_editing
     ui/tst_script_player
     ui/tst_template_window

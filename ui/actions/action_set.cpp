@@ -1,6 +1,8 @@
 #include "ui/actions/action_set.h"
 
 #include "core/session/message_text.h"
+#include "core/session/scheduler.h"
+#include "core/session/session.h"
 #include "ui/actions/menu_table.h"
 #include "ui/base/icon.h"
 #include "ui/bench/workbench.h"
@@ -68,6 +70,7 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
             refresh();
     });
     connect(bench.session().history(), &QUndoStack::indexChanged, this, &ActionSet::refresh);
+    connect(&bench.session().scheduler(), &Scheduler::asked, this, &ActionSet::refresh);
     applyShortcuts();
     refresh();
 }

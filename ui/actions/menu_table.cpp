@@ -23,11 +23,12 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "file.revert | fabricate.stocks file.export | file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"), "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate "
                               "edit.mirror edit.delete | edit.selectAll"},
-        {QT_TR_NOOP("&View"), ">faces view.faceSelection view.fitAll | view.perspective view.xray "
-                              "view.clip view.skin | view.isolate view.showAll | >panels view.fullScreen"},
+        {QT_TR_NOOP("&View"),
+         ">faces view.faceSelection view.fitAll | view.perspective view.xray "
+         "view.clip view.skin | view.isolate view.showAll | >panels view.fullScreen"},
         {QT_TR_NOOP("&Section"),
          "section.symmetry section.ground section.snap | section.pen >plane section.addShape "
-         "section.mark | section.transform section.redraw section.addHole section.dropToGround"},
+         "section.mark | section.transform section.redraw section.addHole"},
         {QT_TR_NOOP("&Operation"),
          "operation.linear operation.revolve operation.blend operation.branch operation.grid "
          "operation.radial | operation.rotational operation.array"},
@@ -56,7 +57,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
         {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain", kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "
-         "edit.selectPrevious measure.ruler measure.dimension measure.keep measure.remove mirror.x mirror.y "
+         "edit.selectPrevious measure.ruler measure.dimension measure.keep measure.remove mirror.x "
+         "mirror.y "
          "mirror.z mirror.section mirror.copy mirror.always mirror.once mirror.apply "
          "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection",
          kSearchedMenu},
@@ -69,17 +71,19 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "section.addStar section.addSlot section.takeOffer section.takeGuide mark.engrave "
          "mark.score "
          "section.importContour section.importHoles section.importMarks section.removeHoles "
-         "section.putOn section.free section.makeOrthogonal section.snapNormal section.lock "
+         "section.dropToGround section.putOn section.free section.makeOrthogonal "
+         "section.snapNormal section.lock "
          "transform.inSpace transform.withChildren point.insert point.delete point.smooth "
-         "point.symmetric point.corner joint.flip joint.reset",
+         "point.symmetric point.corner joint.flip joint.reset "
+         "template.transform template.sizeByLine",
          kSearchedMenu},
         {QT_TR_NOOP("&Operation"),
          "operation.slices operation.mirror operation.symmetric operation.switch operation.moveUp "
          "operation.moveDown operation.editSource operation.detach operation.leaveOut "
          "operation.bake",
          kSearchedMenu},
-        {QT_TR_NOOP("&Checks"), "check.previousProblem physics.whereStrong physics.addPush physics.pull",
-         kSearchedMenu},
+        {QT_TR_NOOP("&Checks"),
+         "check.previousProblem physics.whereStrong physics.addPush physics.pull", kSearchedMenu},
 
         {"",
          "section.transform section.redraw section.addHole >onIt | edit.copy edit.duplicate "

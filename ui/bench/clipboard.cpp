@@ -13,14 +13,17 @@ constexpr const char *kType = "application/x-flatfitfab+json";
 
 } // namespace
 
+std::string modelTextIn(const QMimeData &data)
+{
+    const QString type = QLatin1String(kType);
+    return data.hasFormat(type) ? data.data(type).toStdString() : data.text().toStdString();
+}
+
 Clipboard systemClipboard()
 {
     const auto read = [] {
         const QMimeData *data = QGuiApplication::clipboard()->mimeData();
-        if (!data)
-            return std::string();
-        const QString type = QLatin1String(kType);
-        return data->hasFormat(type) ? data->data(type).toStdString() : data->text().toStdString();
+        return data ? modelTextIn(*data) : std::string();
     };
     const auto write = [](const std::string &text) {
         auto *data = new QMimeData; // the clipboard's from then on

@@ -3,8 +3,14 @@
 
 #include "core/session/copy_commands.h"
 
+#include <string>
+
+class QMimeData;
+
 namespace fff::ui {
 
 Clipboard systemClipboard();
+/// What of it may be a model.
+std::string modelTextIn(const QMimeData &data);
 
 } // namespace fff::ui

@@ -67,6 +67,7 @@ Seen seenOn(const Workbench &bench)
             selectedSigns(bench),
             overlay.held,
             overlay.offered,
+            bench.tracedSigns(),
             !overlay.drawn.isEmpty(),
             interaction.operationInFocus(),
             interaction.hasGesture(),

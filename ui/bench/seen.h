@@ -17,6 +17,7 @@ struct Seen
     std::vector<SectionPointer> ghosts;
     Hovered hovered;
     Signs selected, held, offered;
+    Signs traced;          // what would be made of a picture
     bool isDrawn = false;  // a gesture shows something: that is not compared
     OperationId operation; // in focus
     bool hasGesture = false, isBusy = false, isGhosted = false;

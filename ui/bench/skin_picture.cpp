@@ -27,9 +27,9 @@ QString skinState(const Scheduler &scheduler)
         return {};
     if (scheduler.isRunning(kSkin.name)) {
         const double share = scheduler.progress(kSkin.name);
-        return share >= 0.0 ? SkinStateTexts::tr("Skin: working… %1\u202f%")
-                                  .arg(std::lround(100.0 * share))
-                            : SkinStateTexts::tr("Skin: working…");
+        return share >= 0.0
+                   ? SkinStateTexts::tr("Skin: working… %1\u202f%").arg(std::lround(100.0 * share))
+                   : SkinStateTexts::tr("Skin: working…");
     }
     if (const auto &why = scheduler.failureOf(kSkin.name))
         return why->code == ErrorCode::Cancelled

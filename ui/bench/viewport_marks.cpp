@@ -73,6 +73,8 @@ void Viewport::paintMarks()
         scene.dimensions = dimensionSigns(model, over.dimension);
         for (const Sign &sign : loadSigns(model, scene.view, over.load, interaction.selectedLoad()))
             scene.dimensions.add(sign);
+        for (const Sign &sign : m_bench.tracedSigns())
+            scene.dimensions.add(sign);
         if (isBusy)
             dropWordsOfOthers(scene.dimensions);
     }

@@ -4,6 +4,7 @@
 #include "core/interaction/tool.h"
 #include "core/session/copy_commands.h"
 #include "core/session/session_commands.h"
+#include "core/templates/flat_template.h"
 #include "ui/base/naming.h"
 #include "ui/bench/clipboard.h"
 #include "ui/settings/settings.h"
@@ -299,6 +300,25 @@ void Workbench::setOutlined(std::vector<SectionRef> sections, std::vector<Sectio
     m_outlined = std::move(sections);
     m_ghosts = std::move(ghosts);
     Q_EMIT viewChanged();
+}
+
+void Workbench::setTraced(TemplateId of, std::shared_ptr<const std::vector<Polygon>> lines)
+{
+    if (of == m_tracedOf && lines == m_traced)
+        return;
+    m_tracedOf = of;
+    m_traced = std::move(lines);
+    Q_EMIT viewChanged();
+}
+
+Signs Workbench::tracedSigns() const
+{
+    Signs signs;
+    const Template *one = m_traced ? m_session.model().document.find(m_tracedOf) : nullptr;
+    if (one && !one->isHidden)
+        if (const auto placement = worldPlacement(*one, m_session.model()))
+            signs.add(sign::Outlines{SignRole::Traced, *placement, m_traced});
+    return signs;
 }
 
 void Workbench::setTried(std::shared_ptr<const Trials::Outcome> tried)

@@ -6,6 +6,7 @@
 #include "core/analysis/trial.h"
 #include "core/analysis/weak_place.h"
 #include "core/assembly/joint_editing.h"
+#include "core/geometry/polygon.h"
 #include "core/interaction/commands.h"
 #include "core/interaction/interaction.h"
 #include "core/interaction/tool.h"
@@ -20,6 +21,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fff::ui {
 
@@ -91,6 +93,12 @@ public:
     void setOutlined(std::vector<SectionRef> sections, std::vector<SectionPointer> ghosts = {});
     const std::vector<SectionPointer> &ghosts() const { return m_tried ? m_wasThere : m_ghosts; }
     const std::vector<SectionRef> &outlined() const { return m_outlined; }
+
+    /// What would be made of a template is drawn over it: lines in the file's coordinates, about
+    /// its middle; null: nothing is.
+    void setTraced(TemplateId of, std::shared_ptr<const std::vector<Polygon>> lines);
+    /// Where the template lies now.
+    Signs tracedSigns() const;
 
     /// Shows a model that an edit would make in place of the one that is there, as long as somebody
     /// asks what it would do; null: the model again. Nothing else knows of it.
@@ -171,6 +179,8 @@ private:
     ViewState m_view;
     std::vector<SectionRef> m_outlined;
     std::vector<SectionPointer> m_ghosts;
+    TemplateId m_tracedOf;
+    std::shared_ptr<const std::vector<Polygon>> m_traced;
     std::shared_ptr<const Trials::Outcome> m_tried;
     std::set<SectionRef> m_differing;       // in that
     std::vector<SectionPointer> m_wasThere; // what is no more in that, or otherwise

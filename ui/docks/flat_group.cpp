@@ -3,8 +3,10 @@
 #include "core/base/units.h"
 #include "core/interaction/template_drawing.h"
 #include "ui/bench/workbench.h"
+#include "ui/docks/trace_preview.h"
 #include "ui/properties/kept_number.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -24,7 +26,8 @@ constexpr NumberEdit::Range kFlatTurn{-360.0, 360.0, 1.0, 0, 2};
 } // namespace
 
 FlatGroup::FlatGroup(Workbench &bench, std::function<const Template *()> chosen, QWidget *parent)
-    : QWidget(parent), m_bench(bench), m_chosen(std::move(chosen))
+    : QWidget(parent), m_bench(bench), m_chosen(std::move(chosen)),
+      m_preview(new TracePreview(bench, this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -35,6 +38,8 @@ FlatGroup::FlatGroup(Workbench &bench, std::function<const Template *()> chosen,
     addPlace();
     column->addWidget(m_trace);
     column->addWidget(m_place);
+    // Who draws over a picture by hand does not want its outlines in the way.
+    m_trace->fold();
 }
 
 void FlatGroup::addPlace()
@@ -81,6 +86,12 @@ void FlatGroup::addTrace()
                                tr("How dark it has to be to be traced"));
     percent(m_trace, tr("Smoothing"), "traceSmoothing", &m_smoothing,
             tr("How round corners become"));
+    m_outlines = new TextRow(
+        tr("Outlines"), "traceOutlines", [this] { return outlinesFound(); }, m_trace);
+    m_trace->add(m_outlines);
+    m_ofPictures.push_back(m_outlines);
+    m_outlines->installEventFilter(this); // what is drawn in the view comes and goes with it
+    connect(m_preview, &TracePreview::changed, this, [this] { m_outlines->refresh(); });
     addButtons(
         m_trace,
         {{tr("Sections"), "sections", tr("Sections of its outlines, on its own plane")},
@@ -91,13 +102,55 @@ void FlatGroup::addTrace()
             const Template *one = m_chosen();
             if (!one)
                 return;
-            CommandParameters parameters{{"template", one->name}, {"as", as}};
-            if (one->picture) {
-                parameters.emplace("threshold", std::to_string(m_threshold));
-                parameters.emplace("smoothing", std::to_string(m_smoothing));
-            }
-            m_bench.run(QStringLiteral("template.trace"), parameters);
+            const auto kind = *as == 's'   ? DrawingAs::Sections
+                              : *as == 'h' ? DrawingAs::Holes
+                                           : DrawingAs::Engraved;
+            const PictureTrace with = trace(*one);
+            Q_EMIT traceWanted({one->id, kind, with, m_preview->known(*one, with)});
         });
+}
+
+PictureTrace FlatGroup::trace(const Template &one) const
+{
+    PictureTrace trace;
+    if (one.picture) {
+        trace.threshold = m_threshold / kAll;
+        trace.smoothing = m_smoothing / kAll;
+    }
+    return trace;
+}
+
+/// As long as the numbers are seen.
+void FlatGroup::preview()
+{
+    const Template *one = m_chosen();
+    if (one && one->picture && m_outlines->isVisible())
+        m_preview->show(*one, trace(*one));
+    else
+        m_preview->hide();
+    m_outlines->refresh();
+}
+
+QString FlatGroup::outlinesFound() const
+{
+    const Template *one = m_chosen();
+    const TracedPicturePointer known =
+        one && one->picture ? m_preview->known(*one, trace(*one)) : nullptr;
+    if (!known)
+        return QStringLiteral("…");
+    const QString count = locale().toString(static_cast<qulonglong>(known->regions));
+    //: %1 is a number of outlines
+    return known->regions > kMostPlacedSections ? tr("%1, too many for sections").arg(count)
+                                                : count;
+}
+
+bool FlatGroup::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_outlines && event->type() == QEvent::Show)
+        preview();
+    else if (watched == m_outlines && event->type() == QEvent::Hide)
+        m_preview->hide(); // also while all of this goes
+    return QWidget::eventFilter(watched, event);
 }
 
 SliderField *FlatGroup::percent(PropertyGroup *group, const QString &name, const char *id,
@@ -107,6 +160,8 @@ SliderField *FlatGroup::percent(PropertyGroup *group, const QString &name, const
     const KeptNumber number =
         addKeptNumber(*group, name, id, {0, kAllOfIt, kAllOfIt, QStringLiteral("%"), 2}, kept);
     number.row->setToolTip(tip);
+    connect(number.field, &SliderField::dragged, this, &FlatGroup::preview);
+    connect(number.field, &SliderField::settled, this, &FlatGroup::preview);
     m_ofPictures.push_back(number.row);
     return number.field;
 }
@@ -137,8 +192,10 @@ void FlatGroup::refresh()
 {
     const Template *one = m_chosen();
     setVisible(one && one->isFlat());
-    if (!one || !one->isFlat())
+    if (!one || !one->isFlat()) {
+        m_preview->hide();
         return;
+    }
     m_trace->setEnabled(one->picture || one->curves);
     m_place->setEnabled(!one->isLocked);
     for (QWidget *row : m_ofPictures)
@@ -151,6 +208,7 @@ void FlatGroup::refresh()
     }
     if (const auto world = worldFrame(*one, m_bench.session().model()))
         m_turn->setNumber(degrees(turnOf(*world)));
+    preview();
 }
 
 } // namespace fff::ui

@@ -4,6 +4,8 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
+#include "core/interaction/template_drawing.h"
+
 #include <functional>
 #include <tuple>
 #include <vector>
@@ -16,7 +18,9 @@ namespace fff::ui {
 
 class NumberEdit;
 class PropertyGroup;
+class PropertyRow;
 class SliderField;
+class TracePreview;
 class Workbench;
 
 class FlatGroup : public QWidget
@@ -30,6 +34,12 @@ public:
     /// Hidden for a mesh.
     void refresh();
 
+Q_SIGNALS:
+    void traceWanted(const fff::WantedTrace &wanted);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void addPlace();
     void addTrace();
@@ -39,11 +49,18 @@ private:
                     const std::vector<std::tuple<QString, const char *, QString>> &buttons,
                     const std::function<void(const char *)> &act);
 
+    /// As its fields have it.
+    PictureTrace trace(const Template &one) const;
+    void preview();
+    QString outlinesFound() const;
+
     Workbench &m_bench;
     const std::function<const Template *()> m_chosen;
     PropertyGroup *m_place = nullptr, *m_trace = nullptr;
     NumberEdit *m_turn = nullptr;
     SliderField *m_thresholdField = nullptr;
+    TracePreview *m_preview = nullptr;
+    PropertyRow *m_outlines = nullptr;      // how many are found
     std::vector<QWidget *> m_ofPictures;    // rows
     int m_threshold = 50, m_smoothing = 50; // percent
     const void *m_shown = nullptr;          // whose threshold it is

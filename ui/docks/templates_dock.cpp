@@ -1,8 +1,8 @@
 #include "ui/docks/templates_dock.h"
 
 #include "core/base/tolerances.h"
+#include "core/interaction/template_words.h"
 #include "core/session/template_commands.h"
-#include "core/session/template_words.h"
 #include "core/templates/flat_template.h"
 #include "core/templates/template_curves.h"
 #include "core/templates/template_mesh.h"
@@ -14,6 +14,7 @@
 #include "ui/docks/flat_group.h"
 #include "ui/docks/making_group.h"
 #include "ui/docks/outline_marks.h"
+#include "ui/docks/template_tools.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/slider_field.h"
 
@@ -63,11 +64,11 @@ TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
     add->setToolTip(tr("Read a mesh, a picture or a drawing to draw sections after it"));
     connect(add, &QPushButton::clicked, this, &TemplatesDock::addWanted);
 
-    m_empty = new QLabel(
-        tr("Add a mesh, a picture or a drawing, or drop one on the window. Sections that "
-           "you draw snap to where their planes cut a mesh, and to the lines of a "
-           "drawing in their plane."),
-        content);
+    m_empty =
+        new QLabel(tr("Add a mesh, a picture or a drawing, or drop or paste one. Sections that "
+                      "you draw snap to where their planes cut a mesh, and to the lines of a "
+                      "drawing in their plane."),
+                   content);
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_empty->setContentsMargins(4, 8, 4, 8);
@@ -83,7 +84,10 @@ TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
     m_tree->installEventFilter(this);
     connect(m_tree, &QTreeWidget::itemClicked, this, &TemplatesDock::press);
     connect(m_tree, &QTreeWidget::itemChanged, this, &TemplatesDock::rename);
-    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &TemplatesDock::refreshFields);
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, [this] {
+        refreshFields();
+        m_tools->follow();
+    });
 
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(8, 8, 8, 0);
@@ -122,12 +126,17 @@ QWidget *TemplatesDock::makeFields()
     column->addWidget(makeMaking());
     m_flat = new FlatGroup(
         m_bench, [this] { return chosen(); }, m_fields);
+    connect(m_flat, &FlatGroup::traceWanted, this, &TemplatesDock::traceWanted);
     column->addWidget(m_flat);
     m_group = new PropertyGroup(tr("Place and size"), m_fields);
     const auto add = [this](PropertyRow *row) {
         m_group->add(row);
         m_rows.push_back(row);
     };
+    m_tools = new TemplateTools(
+        m_bench, [this] { return chosen(); }, m_group);
+    connect(m_tools, &TemplateTools::viewWanted, this, &TemplatesDock::viewWanted);
+    m_group->add(m_tools);
 
     auto *percent = new NumberEdit(kOpacityRange, QStringLiteral("%"));
     percent->setFixedWidth(kOpacityField);
@@ -323,6 +332,8 @@ void TemplatesDock::press(QTreeWidgetItem *item, int column)
         key(Qt::Key_Space);
     else if (column == kTemplateLock)
         key(Qt::Key_L);
+    else
+        m_tools->hold();
 }
 
 bool TemplatesDock::key(int key)
@@ -342,6 +353,8 @@ bool TemplatesDock::key(int key)
     case Qt::Key_Delete:
         m_bench.run(QStringLiteral("template.remove"), {{"template", one->name}});
         return true;
+    case Qt::Key_Escape:
+        return m_tools->escape();
     default:
         return false;
     }
@@ -402,6 +415,7 @@ void TemplatesDock::refreshFields()
                               static_cast<QWidget *>(m_turnUp)})
         ofMeshes->setVisible(!one->isFlat());
     m_flat->refresh();
+    m_tools->refresh();
     for (PropertyRow *row : m_rows)
         row->refresh();
 }

@@ -14,12 +14,17 @@ class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
+namespace fff {
+struct WantedTrace;
+}
+
 namespace fff::ui {
 
 class FlatGroup;
 class MakingGroup;
 class PropertyGroup;
 class PropertyRow;
+class TemplateTools;
 class Workbench;
 
 class TemplatesDock : public QDockWidget
@@ -38,6 +43,9 @@ Q_SIGNALS:
     void oneMoreWanted(fff::TemplateId of);
     void anotherWanted();
     void facetsWanted(fff::TemplateId of, int faces);
+    void traceWanted(const fff::WantedTrace &wanted);
+    /// A tool was picked up here whose keys are the view's.
+    void viewWanted();
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -66,6 +74,7 @@ private:
     PropertyGroup *m_group = nullptr;
     MakingGroup *m_making = nullptr;
     FlatGroup *m_flat = nullptr;
+    TemplateTools *m_tools = nullptr;
     QPushButton *m_slices = nullptr, *m_turnUp = nullptr; // of meshes
     std::vector<PropertyRow *> m_rows;
     std::vector<TemplatePointer> m_shown; // what the rows are of

@@ -4,6 +4,7 @@
 #include "core/io/formats.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 
 namespace fff::ui {
@@ -14,6 +15,13 @@ struct FailuresTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::Failures)
 };
+
+/// What it is called where it has no name of its own: a folder.
+QString shownName(const QString &path)
+{
+    const QString name = QFileInfo(path).fileName();
+    return name.isEmpty() ? QDir::toNativeSeparators(path) : name;
+}
 
 /// "fish.txt:340" is in the file's name already; what remains is "line 340".
 QString placeInFile(const QString &name, const Error &error)
@@ -43,7 +51,9 @@ QString modelFiles()
 
 QString openFailure(const QString &path, const Error &error)
 {
-    const QString name = QFileInfo(path).fileName();
+    if (path.trimmed().isEmpty())
+        return FailuresTexts::tr("Nothing was opened: no file was named.");
+    const QString name = shownName(path);
     if (error.code == ErrorCode::NotAModel)
         return FailuresTexts::tr("%1 is not a model. FlatFitFab opens %2.").arg(name, modelFiles());
     if (!QFileInfo::exists(path)) {

@@ -7,11 +7,13 @@
 #include "core/session/template_commands.h"
 #include "ui/base/lengths.h"
 #include "ui/bench/workbench.h"
+#include "ui/files/clipboard_picture.h"
 #include "ui/files/progress.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <functional>
 #include <stop_token>
 
 namespace fff::ui {
@@ -34,34 +36,20 @@ QString remarksOf(const std::vector<Message> &messages)
     return lines.join(QLatin1Char(' '));
 }
 
-} // namespace
+using ReadTemplate =
+    std::function<Result<io::LoadedTemplate>(const io::TemplateFileOptions &options)>;
 
-QString meshFilter()
+MeshImported importTemplate(QWidget &window, Workbench &bench, const QString &name,
+                            ReadTemplate read)
 {
-    const QString all = io::meshPatterns() + QLatin1Char(' ') + kFlatPatterns;
-    //: %1 is a list of patterns such as *.stl
-    return MeshTexts::tr("Meshes, pictures and drawings (%1)").arg(all) + QStringLiteral(";;") +
-           MeshTexts::tr("All files (*)");
-}
-
-bool isMeshFile(const QString &path)
-{
-    const QString suffix = QStringLiteral("*.") + QFileInfo(path).suffix().toLower();
-    return io::meshPatterns().split(QLatin1Char(' ')).contains(suffix) ||
-           (kFlatPatterns.split(QLatin1Char(' ')).contains(suffix));
-}
-
-MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
-{
-    const QString name = QFileInfo(path).fileName();
     std::stop_source stop;
-    auto loaded =
-        inBackground<Result<io::LoadedTemplate>>(window, MeshTexts::tr("Reading %1…").arg(name),
-                                                 MayCancel::Yes, [path, token = stop.get_token()] {
-                                                     io::TemplateFileOptions options;
-                                                     options.work.stop = token;
-                                                     return io::readTemplateFile(path, options);
-                                                 });
+    auto loaded = inBackground<Result<io::LoadedTemplate>>(
+        window, MeshTexts::tr("Reading %1…").arg(name), MayCancel::Yes,
+        [read = std::move(read), token = stop.get_token()] {
+            io::TemplateFileOptions options;
+            options.work.stop = token;
+            return read(options);
+        });
     if (!loaded) {
         stop.request_stop();
         return {};
@@ -88,6 +76,47 @@ MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
                                        "its size.")
                              .arg(name, size);
     return imported;
+}
+
+} // namespace
+
+QString meshFilter()
+{
+    const QString all = io::meshPatterns() + QLatin1Char(' ') + kFlatPatterns;
+    //: %1 is a list of patterns such as *.stl
+    return MeshTexts::tr("Meshes, pictures and drawings (%1)").arg(all) + QStringLiteral(";;") +
+           MeshTexts::tr("All files (*)");
+}
+
+bool isMeshFile(const QString &path)
+{
+    const QString suffix = QStringLiteral("*.") + QFileInfo(path).suffix().toLower();
+    return io::meshPatterns().split(QLatin1Char(' ')).contains(suffix) ||
+           (kFlatPatterns.split(QLatin1Char(' ')).contains(suffix));
+}
+
+MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
+{
+    return importTemplate(window, bench, QFileInfo(path).fileName(),
+                          [path](const io::TemplateFileOptions &options) {
+                              return io::readTemplateFile(path, options);
+                          });
+}
+
+MeshImported importPicture(QWidget &window, Workbench &bench, const ClipboardPicture &picture)
+{
+    if (!picture.path.isEmpty())
+        return importMesh(window, bench, picture.path);
+    const QString name = MeshTexts::tr("Pasted picture");
+    return importTemplate(
+        window, bench, name,
+        [picture, name = name.toStdString()](
+            const io::TemplateFileOptions &options) -> Result<io::LoadedTemplate> {
+            Result<std::string> bytes = bytesOf(picture, name);
+            if (!bytes)
+                return tl::unexpected(std::move(bytes.error()));
+            return io::readTemplateBytes(*std::move(bytes), name, options);
+        });
 }
 
 } // namespace fff::ui

@@ -9,6 +9,7 @@ class QWidget;
 namespace fff::ui {
 
 class Workbench;
+struct ClipboardPicture;
 
 /// "Meshes (*.stl *.obj …);;All files (*)"
 QString meshFilter();
@@ -24,5 +25,7 @@ struct MeshImported
 };
 /// Does nothing where it is given up.
 MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path);
+/// The same of what was copied.
+MeshImported importPicture(QWidget &window, Workbench &bench, const ClipboardPicture &picture);
 
 } // namespace fff::ui

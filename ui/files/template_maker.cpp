@@ -1,12 +1,14 @@
 #include "ui/files/template_maker.h"
 
 #include "core/io/error_text.h"
+#include "core/session/flat_template_commands.h"
 #include "core/session/session.h"
 #include "core/session/template_making.h"
 #include "ui/bench/workbench.h"
 #include "ui/files/progress.h"
 
 #include <QUndoStack>
+#include <QWidget>
 
 namespace fff::ui {
 
@@ -69,6 +71,40 @@ void TemplateMaker::makeFacets(TemplateId of, int faces)
          [of, faces](const Model &model, const LongWork &work) {
              return facetEdit(model.document, of, static_cast<std::size_t>(faces), work);
          });
+}
+
+void TemplateMaker::trace(const WantedTrace &wanted)
+{
+    const Model model = m_bench.session().committed();
+    const Template *one = model.document.find(wanted.of);
+    if (!one)
+        return;
+    Result<SectionRef> section;
+    if (wanted.as != DrawingAs::Sections)
+        section = sectionToDrawOn(model, one->on, m_bench.interaction().sectionsInFocus());
+    if (!section) {
+        Q_EMIT failed(io::errorText(section.error()));
+        return;
+    }
+    m_bench.layDownTool();
+    const InteractionSettings &settings = m_bench.interaction().settings();
+    const DrawingRules rules{settings.cutsAtGround, settings.naming, {}};
+    std::stop_source stop;
+    const auto made = inBackground<Result<SectionEdit>>(
+        m_window, tr("Tracing %1…").arg(QString::fromStdString(one->name)), MayCancel::Yes,
+        [model, wanted, rules, ref = *section, token = stop.get_token()]() -> Result<SectionEdit> {
+            const Result<Drawing> drawing =
+                drawingOf(model, *model.document.find(wanted.of), wanted, {token, {}});
+            if (!drawing)
+                return tl::unexpected(drawing.error());
+            return madeOfDrawing(model, *drawing, wanted.as, ref, rules);
+        });
+    if (!made)
+        stop.request_stop();
+    else if (!*made)
+        Q_EMIT failed(io::errorText(made->error()));
+    else if (m_bench.session().committed().document.isSame(model.document))
+        m_bench.editSections(**made);
 }
 
 void TemplateMaker::make(const QString &text, Last last, Work work)

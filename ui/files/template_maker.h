@@ -6,6 +6,7 @@
 
 #include "core/analysis/suggesting/suggestion.h"
 #include "core/interaction/section_edit.h"
+#include "core/interaction/template_drawing.h"
 
 #include <functional>
 #include <optional>
@@ -34,6 +35,8 @@ public:
     bool hasSuggestion() const { return isNewest() && m_last->options; }
     /// What was made of it just before goes.
     void makeFacets(TemplateId of, int faces);
+    /// What is known of it already is not traced again.
+    void trace(const WantedTrace &wanted);
 
 Q_SIGNALS:
     void failed(const QString &text);

@@ -42,6 +42,7 @@ constexpr RoleLook kLooks[] = {
     {SignRole::Cue, {.colour = &ViewStyle::text}},
     {SignRole::Doubt, {.colour = &ViewStyle::warning}},
     {SignRole::Load, {.colour = &ViewStyle::text, .radius = 4.5}},
+    {SignRole::Traced, {.colour = &ViewStyle::guide, .width = 1.6}},
     {SignRole::LoadInHand, {.colour = &ViewStyle::accent, .radius = 6.0}},
 };
 

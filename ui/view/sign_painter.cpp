@@ -225,6 +225,22 @@ void paintSign(MarkPen &pen, const sign::Line &line)
     stroke(pen, path, line.role);
 }
 
+/// Together, so that none of them is cased over another one.
+void paintSign(MarkPen &pen, const sign::Outlines &outlines)
+{
+    QPainterPath path;
+    for (const Polygon &line : *outlines.lines) {
+        const auto at = [&](const Vec2 &p) {
+            return pen.screen(outlines.placement({p.x(), p.y(), 0.0}));
+        };
+        path.moveTo(at(line.front()));
+        for (std::size_t i = 1; i < line.size(); ++i)
+            path.lineTo(at(line[i]));
+        path.closeSubpath();
+    }
+    stroke(pen, path, outlines.role);
+}
+
 void paintSign(MarkPen &pen, const sign::Curve &curve)
 {
     stroke(pen, pen.path(curve.contour, curve.frame), curve.role);

@@ -14,6 +14,7 @@ struct OperationKind;
 namespace fff::ui {
 
 void paintSign(MarkPen &pen, const sign::Line &line);
+void paintSign(MarkPen &pen, const sign::Outlines &outlines);
 void paintSign(MarkPen &pen, const sign::Curve &curve);
 void paintSign(MarkPen &pen, const sign::Handle &handle);
 /// One that is an offer is a button.

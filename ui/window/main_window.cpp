@@ -285,7 +285,7 @@ void MainWindow::run(const QString &id)
         m_steps->fit(); // what is shown, not what is drawn
     else if (id.startsWith(QStringLiteral("section.import")))
         importDrawing(id);
-    else
+    else if (id != QStringLiteral("edit.paste") || !pastePicture())
         m_bench->run(id);
     m_actions->refresh(); // what is checked says what is so, not what was clicked
     const Tool *tool = m_bench->interaction().tool();

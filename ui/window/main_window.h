@@ -16,6 +16,7 @@ namespace fff::ui {
 class ActionSet;
 class Badges;
 class ViewChips;
+struct MeshImported;
 class CanvasBar;
 class ChecksDock;
 class DocumentFiles;
@@ -83,6 +84,8 @@ private:
     void readDrawing(const QString &command, const QString &path);
     void addMesh();
     void readMesh(const QString &path);
+    bool pastePicture();
+    void tellImported(const MeshImported &imported);
     void connectTemplates();
     void run(const QString &id);
     void openFiles(const QStringList &paths);

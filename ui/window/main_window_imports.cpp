@@ -3,11 +3,17 @@
 #include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/templates_dock.h"
+#include "ui/files/clipboard_picture.h"
 #include "ui/files/document_files.h"
 #include "ui/files/mesh_import.h"
 #include "ui/files/template_maker.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_layout.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include <optional>
 
 namespace fff::ui {
 
@@ -42,6 +48,8 @@ void MainWindow::connectTemplates()
     connect(m_templates, &TemplatesDock::oneMoreWanted, maker, &TemplateMaker::suggestOneMore);
     connect(m_templates, &TemplatesDock::anotherWanted, maker, &TemplateMaker::suggestAnother);
     connect(m_templates, &TemplatesDock::facetsWanted, maker, &TemplateMaker::makeFacets);
+    connect(m_templates, &TemplatesDock::traceWanted, maker, &TemplateMaker::trace);
+    connect(m_templates, &TemplatesDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(&m_bench->session(), &Session::committedChanged, m_templates,
             [this, maker] { m_templates->setHasSuggestion(maker->hasSuggestion()); });
     connect(maker, &TemplateMaker::failed, m_messages,
@@ -52,7 +60,24 @@ void MainWindow::readMesh(const QString &path)
 {
     showDocument();
     m_messages->hide(); // of the file before
-    const MeshImported imported = importMesh(*this, *m_bench, path);
+    tellImported(importMesh(*this, *m_bench, path));
+}
+
+/// False: there is none in the clipboard.
+bool MainWindow::pastePicture()
+{
+    const std::optional<ClipboardPicture> picture =
+        pictureIn(QGuiApplication::clipboard()->mimeData());
+    if (!picture)
+        return false;
+    showDocument();
+    m_messages->hide();
+    tellImported(importPicture(*this, *m_bench, *picture));
+    return true;
+}
+
+void MainWindow::tellImported(const MeshImported &imported)
+{
     if (!imported.error.isEmpty())
         m_messages->show(MessageBar::Severity::Error, {imported.error});
     if (!imported.isAdded)

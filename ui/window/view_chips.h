@@ -1,5 +1,6 @@
 // How the view shows something else than the model as it is, as chips under the verdicts: "X-ray",
-// "Cut open", "Skin" and how far that has come. A click on one switches it off. Widgets of their own, as the verdicts are.
+// "Cut open", "Skin" and how far that has come. A click on one switches it off. Widgets of their
+// own, as the verdicts are.
 #pragma once
 
 #include <QAbstractButton> // first: moc stumbles over some standard headers

@@ -12,6 +12,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_mark_tool
     core/interaction/tst_magnets
     core/interaction/tst_template_strokes
+    core/interaction/tst_template_tool
     core/interaction/tst_measure_tool
     core/interaction/tst_mirror_tool
     core/interaction/tst_operations_in_view
@@ -20,6 +21,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_point_gesture
     core/interaction/tst_problem_marks
     core/interaction/tst_shape_offers
+    core/interaction/tst_size_line_tool
     core/interaction/tst_slit_guides
     core/interaction/tst_slit_walls
     core/interaction/tst_snapping

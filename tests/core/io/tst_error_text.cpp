@@ -39,6 +39,10 @@ void TestErrorText::sentences_data()
         "there is no section yet, so there is nothing to cut");
     row("slits leave nothing", {NothingToExport, "a.fff", {"Rib"}},
         "a.fff: slits leave nothing of any section, so there is nothing to cut");
+    row("no skin", {NoSkin, "a.fff", {}},
+        "a.fff: no contours cross each other at their edges, so there is no skin");
+    row("no skin over what is open", {NoSkin, "a.fff", {"2"}},
+        "a.fff: none of the places between its contours can be covered (2), so there is no skin");
     row("system's reason", {CannotWrite, "/a/b.fff", {"No space left on device"}},
         "/a/b.fff: could not be written: No space left on device");
     row("newer version", {NewerVersion, "a.fff:$.version", {"7", "5"}},

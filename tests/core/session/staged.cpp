@@ -1,7 +1,6 @@
 #include "tests/core/session/staged.h"
 
 #include "core/analysis/analysed.h"
-#include "core/analysis/asked_bearing.h"
 #include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/stages.h"
@@ -16,11 +15,12 @@ Staged stagedTo(const Document &document, bool wantsMends)
     CheckRules patient;
     patient.planningTime = std::chrono::minutes(10);
     Snapshot::Results results{{kModel.name, std::make_shared<const Model>(evaluate(document))},
-                              {kRules.name, std::make_shared<const CheckRules>(patient)}};
+                              {kRules.name, std::make_shared<const CheckRules>(patient)},
+                              {kQuestions.name, std::make_shared<const Questions>()}};
     Staged out;
     for (const Stage &stage : stages()) {
         const bool isForMends = stage.name == kFlips.name || stage.name == kMends.name;
-        if (stage.isRefining() || stage.name == kBearing.name || (isForMends && !wantsMends))
+        if (stage.isRefining() || (isForMends && !wantsMends))
             continue;
         Progress progress;
         const auto result = stage.compute(Snapshot(0, results), nullptr, progress, {});

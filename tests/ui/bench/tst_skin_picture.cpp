@@ -79,12 +79,12 @@ void TestSkinPicture::shownAndHidden()
     QVERIFY(action->isCheckable() && !action->isChecked());
     QVERIFY(!isShown()); // nobody asks
     press();
-    QVERIFY(action->isChecked());
+    QTRY_VERIFY(action->isChecked());
     QVERIFY(isShown());
     const SceneTemplate shown = *SkinPicture(bench()).shown();
     QVERIFY((shown.bounds.size() - Vec3(80.0, 80.0, 80.0)).cwiseAbs().maxCoeff() < 2.0);
     press();
-    QVERIFY(!action->isChecked());
+    QTRY_VERIFY(!action->isChecked());
     QVERIFY(!isShown());
 }
 

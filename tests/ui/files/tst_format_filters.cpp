@@ -9,6 +9,7 @@
 #include "ui/files/format_filters.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
@@ -45,7 +46,23 @@ private Q_SLOTS:
     void inGerman();
     void anAddedFormat();
     void whatIsDropped();
+    void whatHasNoNameIsNotNamed();
 };
+
+// Wrong: " could not be opened: it is not in  any more", of a file that nobody named.
+void TestFormatFilters::whatHasNoNameIsNotNamed()
+{
+    const Error error{ErrorCode::CannotOpen, {}, {}};
+    for (const char *path : {"", " "})
+        QCOMPARE(ui::openFailure(QString::fromLatin1(path), error),
+                 QStringLiteral("Nothing was opened: no file was named."));
+    const QString folder = QDir::tempPath() + u'/'; // its last name is empty
+    const QString said = ui::openFailure(folder, error);
+    QVERIFY2(said.startsWith(QDir::toNativeSeparators(folder)), qPrintable(said));
+    QCOMPARE(ui::openFailure(QStringLiteral("/nowhere/fish.txt"), error),
+             QStringLiteral("fish.txt could not be opened: it is not in /nowhere any more. Nothing "
+                            "was changed."));
+}
 
 void TestFormatFilters::inEnglish()
 {
