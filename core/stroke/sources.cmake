@@ -17,6 +17,7 @@ target_sources(fff_core PRIVATE
     stroke/stroke_contour.cpp
     stroke/symmetry.cpp
     stroke/symmetry_verdict.cpp
+    stroke/waists.cpp
     stroke/thinned_line.cpp
     stroke/twitch.cpp
 )

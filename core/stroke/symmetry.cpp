@@ -8,12 +8,14 @@
 #include "core/stroke/closed_fit.h"
 #include "core/stroke/line_ends.h"
 #include "core/stroke/settled_half.h"
+#include "core/stroke/waists.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace fff {
 
@@ -225,7 +227,7 @@ HalfLine halfLine(Line line, double tolerance, double largest)
         std::rotate(line.begin(), under, line.end());
         line.push_back(line.front());
     }
-    std::vector<Line> runs = runsOverAxis(line);
+    const std::vector<Line> runs = runsOverAxis(withWaists(std::move(line), tolerance, largest));
     const auto best = std::max_element(runs.begin(), runs.end(), [](const Line &a, const Line &b) {
         return areaOverAxis(a) < areaOverAxis(b);
     });

@@ -50,7 +50,8 @@ struct MirroredHalf
 /// The half on the verdict's side, fitted to `tolerance` mm.
 ///
 /// Of a stroke that crosses the axis several times the run that encloses most with it is the half,
-/// so what strays over at the ends is cut off at the axis. An end that
+/// so what strays over at the ends is cut off at the axis. Where it only touches the axis between
+/// two parts, both are of the half (waists.h). An end that
 ///   - runs into the axis at kTipAngle or more is bent, within the tolerance, to meet it at a right
 ///     angle: both halves join smoothly there (G1);
 ///   - runs into it at less is a tip that is meant, like that of a leaf, and stays sharp: to smooth

@@ -125,6 +125,8 @@ private Q_SLOTS:
     void theOtherSideIsMeantWhereAnEndGoesOn_data();
     void theOtherSideIsMeantWhereAnEndGoesOn();
     void severalCrossingsKeepTheLargestHalf();
+    void aWaistKeepsBothLobes_data();
+    void aWaistKeepsBothLobes();
     void closedBesideTheAxisGetsANeck();
     void sideAlongTheAxisIsLeftOut();
     void nothingToMirror_data();
@@ -383,6 +385,44 @@ void TestSymmetry::severalCrossingsKeepTheLargestHalf()
     const Box2 box = bounds(stroke.contour->polygon(0.01));
     QVERIFY(box.min.x() > 23.0 && box.max.x() < 71.0);
     QVERIFY(std::abs(box.max.y() - 40.0) < 1.0);
+}
+
+void TestSymmetry::aWaistKeepsBothLobes_data()
+{
+    QTest::addColumn<double>("waist"); // px, over the axis
+    for (const double waist : {6.0, 2.0, 0.5, 0.0, -2.0, -4.0})
+        QTest::addRow("%g px", waist) << waist;
+}
+
+/// A large lobe and a small one, between them a waist that is meant to be thin: wrong was that the
+/// small one went without a word.
+void TestSymmetry::aWaistKeepsBothLobes()
+{
+    QFETCH(double, waist);
+    const Samples smooth = curve([&](double t) {
+        const double u = 300.0 * t, high = t < 0.6 ? 80.0 : 40.0;
+        const double share = t < 0.6 ? t / 0.6 : (1.0 - t) / 0.4;
+        const double floor = t < 0.6 ? share * waist : waist - (1.0 - share) * waist;
+        return Vec2(u, floor + high * std::sin(kPi * share));
+    });
+    for (const double shake : {0.0, 1.0})
+        for (unsigned seed = 1; seed <= 4; ++seed)
+            for (const bool isBackwards : {false, true}) {
+                SloppyHand hand(4.0, shake, seed);
+                hand.start(smooth.front());
+                for (std::size_t i = 4; i < smooth.size(); i += 4)
+                    hand.to(smooth[i]);
+                hand.to(smooth.back());
+                Samples samples = hand.samples();
+                if (isBackwards)
+                    std::reverse(samples.begin(), samples.end());
+                const StrokeContour stroke =
+                    strokeContour(samples, {.tolerance = kPixels, .axis = MirrorAxis()});
+                QVERIFY(stroke.isMirrored && stroke.contour);
+                const Vec2 size = bounds(stroke.contour->flatten(0.1).points).size();
+                QVERIFY2(std::abs(size.x() - 300.0) <= 12.0, QByteArray::number(size.x()));
+                QVERIFY(!crossesItself(*stroke.contour));
+            }
 }
 
 /// Drawn as a wheel beside the slit, the two wings have to hang together.
