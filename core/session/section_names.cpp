@@ -2,6 +2,11 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
 namespace fff {
 
 namespace {
@@ -12,7 +17,7 @@ struct SectionNamesTexts
 };
 
 /// Fewer read better each by its name.
-constexpr qsizetype kLeastRun = 3;
+constexpr std::size_t kLeastRun = 3;
 
 /// A name that ends with a number.
 struct NumberedName
@@ -32,14 +37,44 @@ NumberedName parsed(const QString &name)
     return {name.left(blank), number};
 }
 
-QString runText(const QString &word, int first, int last)
+/// More pieces than this say less than how many sections they are.
+constexpr std::size_t kMostPieces = 4;
+
+/// Numbers in order, "70–72" where at least kLeastRun count up.
+std::vector<QString> pieces(const std::vector<int> &numbers)
 {
-    const QString from = QString::number(first), to = QString::number(last);
+    std::vector<QString> said;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t end = i + 1;
+        while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1)
+            ++end;
+        if (end - i >= kLeastRun) {
+            said.push_back(QStringLiteral("%1–%2").arg(numbers[i]).arg(numbers[end - 1]));
+            i = end;
+        } else {
+            said.push_back(QString::number(numbers[i]));
+            ++i;
+        }
+    }
+    return said;
+}
+
+/// All sections of that word as one; empty where each reads better by its name.
+QString runText(const QString &word, std::vector<int> numbers)
+{
+    std::sort(numbers.begin(), numbers.end());
+    const std::vector<QString> said = pieces(numbers);
+    const bool hasRun = said.size() + 1 < numbers.size();
+    const bool isDouble = std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end();
+    if (!hasRun || isDouble || said.size() > kMostPieces)
+        return {};
+    const QString all = QStringList(said.begin(), said.end()).join(QStringLiteral(", "));
+    const QString first = QString::number(numbers.front());
     //: what the program calls a section that nobody has named; %1 is its number
-    if (SectionNamesTexts::tr("Section %1").arg(from) == word + u' ' + from)
-        //: several in a row that nobody has named; %1 and %2 are the first and the last number
-        return SectionNamesTexts::tr("Sections %1–%2").arg(from, to);
-    return QStringLiteral("%1 %2–%3").arg(word, from, to);
+    if (SectionNamesTexts::tr("Section %1").arg(first) == word + u' ' + first)
+        //: several that nobody has named; %1 is such as "70–73" or "2, 5–8"
+        return SectionNamesTexts::tr("Sections %1").arg(all);
+    return word + u' ' + all;
 }
 
 } // namespace
@@ -60,23 +95,22 @@ QString listed(QStringList names)
 
 QStringList inRuns(const QStringList &names)
 {
+    std::map<QString, std::vector<int>> numbersOf; // by the word
+    for (const QString &name : names)
+        if (const NumberedName known = parsed(name); known.number >= 0)
+            numbersOf[known.word].push_back(known.number);
+    std::map<QString, QString> runs;
+    for (const auto &[word, numbers] : numbersOf)
+        runs[word] = runText(word, numbers);
     QStringList said;
-    for (qsizetype i = 0; i < names.size();) {
-        const NumberedName first = parsed(names[i]);
-        qsizetype count = 1;
-        while (first.number >= 0 && i + count < names.size()) {
-            const NumberedName next = parsed(names[i + count]);
-            if (next.word != first.word || next.number != first.number + count)
-                break;
-            ++count;
-        }
-        if (count < kLeastRun) {
-            said += names[i];
-            ++i;
-        } else {
-            said += runText(first.word, first.number, first.number + static_cast<int>(count) - 1);
-            i += count;
-        }
+    std::set<QString> done;
+    for (const QString &name : names) {
+        const NumberedName known = parsed(name);
+        const QString run = known.number >= 0 ? runs[known.word] : QString();
+        if (run.isEmpty())
+            said += name;
+        else if (done.insert(known.word).second)
+            said += run;
     }
     return said;
 }

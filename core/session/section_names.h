@@ -12,8 +12,8 @@ namespace fff {
 QString sectionName(const Model &model, const SectionRef &ref);
 /// "Body", "Body and Fin", "Body, Fin and Tail".
 QString listed(QStringList names);
-/// Three names or more in a row that count up are one: "Sections 70–73" of those that nobody has
-/// named, "Rib 1–3" of others. In their order.
+/// Where three names or more count up, all of that word are one: "Sections 70–73, 75" of those that
+/// nobody has named, "Rib 1–3" of others. In the order of their first ones.
 QStringList inRuns(const QStringList &names);
 
 } // namespace fff

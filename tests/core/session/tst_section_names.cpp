@@ -34,10 +34,16 @@ void TestSectionNames::runsAreOne_data()
     row("names of a person", "Rib 1|Rib 2|Rib 3", "Rib 1–3");
     row("a word of several", "Left rib 9|Left rib 10|Left rib 11", "Left rib 9–11");
     row("a gap", "Section 1|Section 2|Section 4", "Section 1|Section 2|Section 4");
+    row("a gap between runs", "Section 70|Section 71|Section 72|Section 74|Section 75|Section 76",
+        "Sections 70–72, 74–76");
+    row("one beside a run", "Section 9|Section 2|Section 3|Section 4", "Sections 2–4, 9");
+    row("too many pieces", "Rib 1|Rib 2|Rib 3|Rib 5|Rib 7|Rib 9|Rib 11",
+        "Rib 1|Rib 2|Rib 3|Rib 5|Rib 7|Rib 9|Rib 11");
+    row("in another order", "Rib 2|Body|Rib 3|Rib 1", "Rib 1–3|Body");
     row("one between two runs", "Rib 1|Rib 2|Rib 3|Body|Section 4|Section 5|Section 6",
         "Rib 1–3|Body|Sections 4–6");
     row("another word", "Rib 1|Fin 2|Rib 3", "Rib 1|Fin 2|Rib 3");
-    row("downwards", "Rib 3|Rib 2|Rib 1", "Rib 3|Rib 2|Rib 1");
+    row("downwards", "Rib 3|Rib 2|Rib 1", "Rib 1–3");
     row("the same again", "Rib 1|Rib 1|Rib 1", "Rib 1|Rib 1|Rib 1");
     row("numbers alone", "1|2|3", "1|2|3");
     row("noughts before", "Rib 01|Rib 02|Rib 03", "Rib 01|Rib 02|Rib 03");
