@@ -897,16 +897,6 @@
         <translation>Eine von beiden steiler zur anderen drehen.</translation>
     </message>
     <message>
-        <source>Slits cut %1 into %2 parts; nothing holds one of them, %3.</source>
-        <extracomment>%1 is the name of a section, %2 a number from 2 on, %3 a size</extracomment>
-        <translation>Schlitze zerschneiden %1 in %2 Teile; eines davon, %3, wird von nichts gehalten.</translation>
-    </message>
-    <message>
-        <source>Slits cut %1 into %2 parts; nothing holds %3 of them, the largest being %4.</source>
-        <extracomment>%1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size</extracomment>
-        <translation>Schlitze zerschneiden %1 in %2 Teile; %3 werden von nichts gehalten, das größte davon %4.</translation>
-    </message>
-    <message>
         <source>Flip slits</source>
         <translation>Schlitze umdrehen</translation>
     </message>
@@ -1080,11 +1070,6 @@
         <source>%1 breaks %2 from %3.</source>
         <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a mass</extracomment>
         <translation>%1 bricht %2 ab %3.</translation>
-    </message>
-    <message>
-        <source>Slits cut %1 into %2 parts; nothing holds them, the largest being %3.</source>
-        <extracomment>%1 is the name of a section, %2 a number from 2 on, %3 a size</extracomment>
-        <translation>Schlitze teilen %1 in %2 Teile; nichts hält sie, das größte ist %3.</translation>
     </message>
     <message>
         <source>Can be assembled. But nothing holds one of the parts.</source>
@@ -1307,6 +1292,74 @@
     <message>
         <source>Falls over to its right. The centre of mass lies %1 outside its feet.</source>
         <translation>Fällt auf seine rechte Seite. Der Schwerpunkt liegt %1 außerhalb der Füße.</translation>
+    </message>
+    <message>
+        <source>Would be connected %1.</source>
+        <extracomment>%1 is such as &quot;if nothing fell apart&quot;</extracomment>
+        <translation>Wäre verbunden, %1.</translation>
+    </message>
+    <message>
+        <source>Would be connected</source>
+        <translation>Wäre verbunden</translation>
+    </message>
+    <message>
+        <source>if nothing fell apart</source>
+        <translation>wenn nichts zerfiele</translation>
+    </message>
+    <message>
+        <source>if the kerf closed no slit</source>
+        <translation>wenn die Schnittfuge keinen Schlitz verschlösse</translation>
+    </message>
+    <message>
+        <source>if no slit were too tight</source>
+        <translation>wenn kein Schlitz zu eng wäre</translation>
+    </message>
+    <message>
+        <source>if no slit were too wide</source>
+        <translation>wenn kein Schlitz zu weit wäre</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 into %2 parts</source>
+        <extracomment>%1 is the name of a section, %2 a number from 2 on</extracomment>
+        <translation>Schlitze zerschneiden %1 in %2 Teile</translation>
+    </message>
+    <message>
+        <source>%1 comes out in %2 parts</source>
+        <translation>%1 besteht aus %2 Teilen</translation>
+    </message>
+    <message>
+        <source>%1; nothing holds one of them, %2.</source>
+        <extracomment>%1 is such as &quot;Slits cut Body into 2 parts&quot;, %2 a size</extracomment>
+        <translation>%1; eines davon, %2, wird von nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>%1; nothing holds them, the largest being %2.</source>
+        <extracomment>%1 is such as &quot;Slits cut Body into 2 parts&quot;, %2 a size</extracomment>
+        <translation>%1; nichts hält sie, das größte ist %2.</translation>
+    </message>
+    <message>
+        <source>%1; nothing holds %2 of them, the largest being %3.</source>
+        <extracomment>%1 is such as &quot;Slits cut Body into 4 parts&quot;, %2 a number from 2 on, %3 a size</extracomment>
+        <translation>%1; %2 davon werden von nichts gehalten, das größte ist %3.</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 apart. Nothing holds what is cut off, which hangs together.</source>
+        <extracomment>%1 names sections</extracomment>
+        <translation>Schlitze zerschneiden %1. Was abgeschnitten ist, hängt zusammen, wird aber von nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 apart. Nothing holds what is cut off, together with %2.</source>
+        <extracomment>%1 and %2 name sections</extracomment>
+        <translation>Schlitze zerschneiden %1. Was abgeschnitten ist, wird mit %2 von nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>Could be assembled %1.</source>
+        <extracomment>%1 is such as &quot;if nothing fell apart&quot;</extracomment>
+        <translation>Ließe sich zusammenbauen, %1.</translation>
+    </message>
+    <message>
+        <source>Could be assembled</source>
+        <translation>Ließe sich zusammenbauen</translation>
     </message>
 </context>
 <context>
@@ -7033,9 +7086,9 @@
         <translation>Scheibe %1</translation>
     </message>
     <message>
-        <source>Sections %1–%2</source>
-        <extracomment>several in a row that nobody has named; %1 and %2 are the first and the last number</extracomment>
-        <translation>Scheiben %1–%2</translation>
+        <source>Sections %1</source>
+        <extracomment>several that nobody has named; %1 is such as &quot;70–73&quot; or &quot;2, 5–8&quot;</extracomment>
+        <translation>Scheiben %1</translation>
     </message>
 </context>
 <context>
@@ -7664,6 +7717,16 @@
     <message>
         <source>labels: the sections&apos; names; checks: outlines sections with a problem; stress: the weakest cross-sections; forces: what feet and joints carry; skin: the form that the sections suggest.</source>
         <translation>labels: die Namen der Scheiben; checks: umrandet Scheiben mit einem Problem; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen; skin: die Form, die die Scheiben andeuten.</translation>
+    </message>
+    <message>
+        <source>Would stand %1.</source>
+        <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
+        <translation>Stünde, %1.</translation>
+    </message>
+    <message>
+        <source>Would hold %1.</source>
+        <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
+        <translation>Hielte, %1.</translation>
     </message>
 </context>
 <context>

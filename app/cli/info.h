@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/assembly_plan.h"
+#include "core/analysis/finding.h"
 #include "core/fabrication/part.h"
 
 #include <QStringList>
@@ -18,8 +19,11 @@ struct InfoContext
 };
 
 /// Lengths mm, angles degrees, masses kg. JSON ends with a line end; texts are lines.
-std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
-QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
+/// found  all that is, of them (all_found.h)
+std::string infoJson(const Analysis &analysis, const ModelPlan &plan,
+                     const std::vector<Finding> &found, const InfoContext &context);
+QStringList infoText(const Analysis &analysis, const std::vector<Finding> &found,
+                     const InfoContext &context);
 
 /// Outlines as designed: slits cut, clearance included, kerf not; and the order of assembly.
 std::string partsJson(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan);

@@ -1,6 +1,7 @@
 #include "app/cli/info.h"
 
 #include "core/analysis/check_rules.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/footing.h"
 #include "core/assembly/cycles.h"
@@ -121,13 +122,14 @@ void writeJoint(JsonWriter &json, const Model &model, const Joint &joint)
 }
 
 /// Each connected group stands or falls by itself: the model is stable when all of them are, by the
-/// smallest of their margins. It is not stable where some of it is held by nothing.
+/// smallest of their margins. It is not stable where some of it is held by nothing, or what was
+/// found says so.
 void writeStability(JsonWriter &json, const Analysis &analysis,
-                    const std::vector<std::vector<int>> &groups)
+                    const std::vector<std::vector<int>> &groups, const std::vector<Finding> &found)
 {
     int contacts = 0;
     std::vector<Vec2> corners;
-    bool isStable = groups.size() == 1;
+    bool isStable = groups.size() == 1 && !verdictDoubts(found).standing.source;
     std::optional<double> margin, tipAngle;
     for (const std::vector<int> &group : groups) {
         if (&group != &groups.front() && isLoosePiece(analysis.bodies, group))
@@ -183,12 +185,15 @@ void writeCycles(JsonWriter &json, const Analysis &analysis)
 }
 
 /// Whether there is an order, and the sections in it, or those that block each other.
-void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &plan)
+void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &plan,
+                         const std::vector<Finding> &found)
 {
     json.key("assemblable");
-    // What takes up the same place is passed over by the plan.
+    // What takes up the same place is passed over by the plan, and so is how slits are cut.
     if (plan.plan.verdict == AssemblyPlan::Verdict::NotFound ||
-        pairsInEachOther(plan, CheckRules().touching) > 0)
+        pairsInEachOther(plan, CheckRules().touching) > 0 ||
+        (plan.plan.verdict == AssemblyPlan::Verdict::Possible &&
+         verdictDoubts(found).assembly.source))
         json.value("unknown");
     else
         json.value(plan.plan.verdict == AssemblyPlan::Verdict::Possible);
@@ -254,7 +259,8 @@ void writeAssembly(JsonWriter &json, const AssemblyPlan &plan)
 
 } // namespace
 
-std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
+std::string infoJson(const Analysis &analysis, const ModelPlan &plan,
+                     const std::vector<Finding> &found, const InfoContext &context)
 {
     const Model &model = analysis.model;
     const Assembly &assembly = analysis.assembly;
@@ -296,7 +302,7 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
         json.value(model.section(static_cast<std::size_t>(section))->name);
     json.endArray();
     writeCycles(json, analysis);
-    writeAssemblability(json, model, plan);
+    writeAssemblability(json, model, plan, found);
     const MassProperties mass = analysis.bodies.mass();
     json.member("mass", mass.mass);
     json.member("centreOfMass", mass.centre);
@@ -310,7 +316,7 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
         json.value(bounds.max);
         json.endArray();
     }
-    writeStability(json, analysis, groups);
+    writeStability(json, analysis, groups, found);
     json.key("sectionList");
     json.beginArray();
     for (std::size_t i = 0; i < model.sectionCount(); ++i)

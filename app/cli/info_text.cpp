@@ -1,11 +1,10 @@
 #include "app/cli/info.h"
 
 #include "core/analysis/checks.h"
-#include "core/analysis/findings/doubted_verdicts.h"
-#include "core/analysis/plan_checks.h"
 #include "core/assembly/step_groups.h"
 #include "core/fabrication/summary.h"
 #include "core/session/finding_text.h"
+#include "core/session/section_names.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -58,7 +57,8 @@ QString stepLine(const AssemblyPlan &plan, const std::vector<StepGroup> &groups,
 
 } // namespace
 
-QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
+QStringList infoText(const Analysis &analysis, const std::vector<Finding> &found,
+                     const InfoContext &context)
 {
     const Model &model = analysis.model;
     const auto groups = heldGroups(analysis);
@@ -85,7 +85,7 @@ QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const Info
                              ? tr("a part of %1").arg(nameOf(model, section))
                              : nameOf(model, section);
         names.removeDuplicates();
-        lines += tr("Not connected to the rest: %1").arg(names.join(QStringLiteral(", ")));
+        lines += tr("Not connected to the rest: %1").arg(inRuns(names).join(QStringLiteral(", ")));
     }
     if (!bounds.isEmpty()) {
         const Vec3 size = bounds.size();
@@ -93,14 +93,10 @@ QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const Info
                      .arg(length(size.x()), length(size.y()), length(size.z()));
         lines += tr("Mass %1 g").arg(QString::number(1000.0 * mass.mass, 'f', 1));
     }
-    std::vector<Finding> found = checks(analysis);
-    doubtVerdicts(found);
-    for (const Finding &finding : found)
-        if (finding.subject() == Subject::Stability)
-            lines += findingText(finding, model);
-    for (const Finding &finding : planChecks(analysis, plan))
-        if (finding.subject() == Subject::Assembly)
-            lines += findingText(finding, model);
+    for (const Subject subject : {Subject::Stability, Subject::Assembly})
+        for (const Finding &finding : found)
+            if (finding.subject() == subject)
+                lines += findingText(finding, model);
     for (const auto &stock : model.document.stocks) {
         lines += tr("Stock %1, %2 mm, sheets of %3")
                      .arg(QString::fromStdString(stock->name), QString::number(stock->thickness),

@@ -127,6 +127,33 @@ QString verdictText(HoldVerdict verdict)
     return {};
 }
 
+/// As `check` says it, of what is green by itself.
+QString standingText(const Simulated &simulated)
+{
+    const Balance balance = simulated.strength.equilibrium().balance();
+    const Text &doubt = simulated.doubts.standing;
+    if (balance != Balance::Stands || !doubt.source)
+        return balanceText(balance);
+    //: %1 is such as "if it held together"
+    return tr("Would stand %1.").arg(QCoreApplication::translate(doubt.context, doubt.source));
+}
+
+bool holdsOnlyIf(const Simulated &simulated)
+{
+    const HoldVerdict verdict = simulated.strength.verdict;
+    return simulated.doubts.strength.source &&
+           (verdict == HoldVerdict::Holds || verdict == HoldVerdict::BarelyHolds);
+}
+
+QString holdingText(const Simulated &simulated)
+{
+    if (!holdsOnlyIf(simulated))
+        return verdictText(simulated.strength.verdict);
+    const Text &doubt = simulated.doubts.strength;
+    //: %1 is such as "if it held together"
+    return tr("Would hold %1.").arg(QCoreApplication::translate(doubt.context, doubt.source));
+}
+
 const std::string &nameOfBody(const Analysis &analysis, int body)
 {
     return analysis.model.section(static_cast<std::size_t>(analysis.bodies.sectionOf(body)))->name;
@@ -328,7 +355,9 @@ std::string strengthJson(const Simulated &simulated, const Analysis &analysis, c
         json.endObject();
     }
     json.key("verdict");
-    if (const char *verdict = nameOf(strength.verdict))
+    // What comes apart does not stand still.
+    if (const char *verdict =
+            nameOf(holdsOnlyIf(simulated) ? HoldVerdict::Unstable : strength.verdict))
         json.value(verdict);
     else
         json.null();
@@ -338,6 +367,8 @@ std::string strengthJson(const Simulated &simulated, const Analysis &analysis, c
             json.member(name, *mass);
     json.key("warnings");
     json.beginArray();
+    if (equilibrium.balance() == Balance::Stands && simulated.doubts.standing.source)
+        json.value(standingText(simulated).toStdString());
     for (const QString &line : strengthWarnings(simulated, analysis))
         json.value(line.toStdString());
     json.endArray();
@@ -368,7 +399,7 @@ QString amountText(double kilograms, const ModelStructure &made)
 QStringList strengthText(const Simulated &simulated, const Analysis &analysis)
 {
     const Strength &strength = simulated.strength;
-    QStringList lines{balanceText(strength.equilibrium().balance()), verdictText(strength.verdict)};
+    QStringList lines{standingText(simulated), holdingText(simulated)};
     const bool isShown = strength.equilibrium().balance() == Balance::Stands;
     if (isShown && strength.worst >= 0) {
         const BodyStrength &body = strength.bodies[static_cast<std::size_t>(strength.worst)];

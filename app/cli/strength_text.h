@@ -3,6 +3,7 @@
 
 #include "core/analysis/bearable_mass.h"
 #include "core/analysis/bent_model.h"
+#include "core/analysis/findings/doubted_verdicts.h"
 
 #include <QStringList>
 
@@ -16,6 +17,7 @@ struct Simulated
     Strength strength;
     BearableMass bearable;
     std::optional<BentModel> bent; // with sections that bend
+    VerdictDoubts doubts;          // of all of it
     double millisecondsOfForces = 0.0, millisecondsOfStresses = 0.0;
 };
 

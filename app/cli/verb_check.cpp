@@ -1,8 +1,6 @@
+#include "app/cli/all_found.h"
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
-#include "core/analysis/checks.h"
-#include "core/analysis/findings/doubted_verdicts.h"
-#include "core/analysis/holding.h"
 #include "core/analysis/plan_checks.h"
 #include "core/io/json_writer.h"
 #include "core/io/warning_summary.h"
@@ -114,16 +112,8 @@ int runCheck(const QStringList &arguments)
     const AnalysedFile model = analysedFile("check", arguments);
     if (model.status)
         return *model.status;
-    std::vector<Finding> found = checks(model.analysis);
-    for (Finding &finding :
-         planChecks(model.analysis, planOf(model.analysis, timeLimit(kPlanningTime))))
-        found.push_back(std::move(finding));
-    if (model.analysis.model.sectionCount() > 0) {
-        const Holding held = holdingOf(std::make_shared<const Analysis>(model.analysis), {},
-                                       std::make_shared<StrengthCaches>());
-        found.insert(found.end(), held.findings.begin(), held.findings.end());
-    }
-    doubtVerdicts(found);
+    const std::vector<Finding> found =
+        allFound(model.analysis, planOf(model.analysis, timeLimit(kPlanningTime)));
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));

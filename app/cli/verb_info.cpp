@@ -1,3 +1,4 @@
+#include "app/cli/all_found.h"
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
 #include "core/analysis/plan_checks.h"
@@ -17,8 +18,9 @@ int runInfo(const QStringList &arguments)
     const ModelPlan plan = planOf(model.analysis, timeLimit(kPlanningTime));
     if (plan.failure)
         report(*plan.failure, model.file);
-    return model.asJson ? print(infoJson(model.analysis, plan, context))
-                        : printLines(infoText(model.analysis, plan, context));
+    const std::vector<Finding> found = allFound(model.analysis, plan);
+    return model.asJson ? print(infoJson(model.analysis, plan, found, context))
+                        : printLines(infoText(model.analysis, found, context));
 }
 
 } // namespace fff::cli

@@ -1,6 +1,8 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/strength_text.h"
 #include "app/cli/weight_options.h"
+#include "core/analysis/checks.h"
+#include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/stress_lines.h"
 
 #include <QElapsedTimer>
@@ -42,6 +44,11 @@ int runSimulate(const QStringList &arguments)
     addStresses(model.analysis, rules, caches, simulated.strength);
     simulated.millisecondsOfStresses = milliseconds(timer);
     simulated.bearable = bearableMass(model.analysis, simulated.strength, rules, caches);
+    std::vector<Finding> found = checks(model.analysis);
+    for (Finding &finding :
+         strengthFindings(model.analysis, simulated.strength, simulated.bearable, rules))
+        found.push_back(std::move(finding));
+    simulated.doubts = verdictDoubts(found);
     if (rules.isElastic && areStressesKnown(simulated.strength)) {
         const auto shared = std::make_shared<const Analysis>(model.analysis);
         if (auto bent = bentModel(shared, simulated.strength, caches))

@@ -1,7 +1,9 @@
 // `simulate`, as scripts read it.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/io/document_file.h"
 #include "tests/app/cli_run.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
 #include <QJsonArray>
@@ -34,6 +36,7 @@ private Q_SLOTS:
     void tellsForcesAndStresses();
     void weightsOfOneRun();
     void pushesAreNoMass();
+    void doesNotPraiseWhatIsLoose();
     void wrongWeights_data();
     void wrongWeights();
 };
@@ -75,6 +78,29 @@ void TestCliSimulate::weightsOfOneRun()
                             .toDouble();
     QVERIFY(std::abs(with - before - 1.1 * 9.81) < 1e-9);
     QCOMPARE(simulated()[u"totalWeight"].toDouble(), before);
+}
+
+// Wrong: "Stands. Holds." of plates that nothing joins, and "stable" of them.
+void TestCliSimulate::doesNotPraiseWhatIsLoose()
+{
+    const ShapePointer plate = polygonShape(rectangle(-50, 0, 50, 60));
+    Document document = twoSections(plate, front(), plate, side()).document;
+    Frame one = front(), other = side();
+    one.origin.x() = other.origin.x() = 300.0;
+    document = withSection(withSection(std::move(document), plate, one), plate, other);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(u"loose.fff"_s);
+    QVERIFY(io::writeDocument(file, document));
+    const Run asText = run({u"simulate"_s, file});
+    QVERIFY2(asText.out.contains("Would stand if it held together.") &&
+                 asText.out.contains("Would hold if it held together."),
+             asText.out.constData());
+    const QJsonObject told =
+        QJsonDocument::fromJson(run({u"simulate"_s, file, u"--json"_s}).out).object();
+    QCOMPARE(told[u"verdict"].toString(), u"unstable"_s);
+    QVERIFY(told[u"warnings"].toArray().contains(u"Would stand if it held together."_s));
+    const Run info = run({u"info"_s, file});
+    QVERIFY2(info.out.contains("Would stand if it held together."), info.out.constData());
 }
 
 // Wrong: "from 5.1 kg in all" of what nobody weighs.

@@ -26,6 +26,13 @@ Message connectedSentence(const Finding &finding, const Model &)
     return {FFF_TEXT("Checks", "Connected. All %1 sections, by %2."), {all.sections, joints}};
 }
 
+Message wouldConnectSentence(const Finding &finding, const Model &)
+{
+    //: %1 is such as "if nothing fell apart"
+    return {FFF_TEXT("Checks", "Would be connected %1."),
+            {Message{finding.details<Connection>()->provided, {}}}};
+}
+
 Message notConnectedSentence(const Finding &finding, const Model &model)
 {
     const Gap &gap = *finding.details<Gap>();
@@ -91,7 +98,7 @@ std::vector<const std::vector<int> *> looseGroups(const Looked &at)
     std::vector<const std::vector<int> *> loose;
     for (std::size_t g = 1; g < at.groups.size(); ++g)
         if (!isLoosePiece(at.analysis.bodies, at.groups[g]) &&
-            !severedPiece(at.analysis.bodies, at.groups[g]))
+            severedPieces(at.analysis.bodies, at.groups[g]).empty())
             loose.push_back(&at.groups[g]);
     return loose;
 }
@@ -123,6 +130,8 @@ const ActionKind kDeleteSections{deleteWords, deleted};
 
 const FindingKind kConnected{"connected", Subject::Connection, FFF_TEXT("Checks", "Connected"),
                              connectedSentence};
+const FindingKind kWouldConnect{"connected", Subject::Connection,
+                                FFF_TEXT("Checks", "Would be connected"), wouldConnectSentence};
 const FindingKind kNotConnected{
     .name = "notConnected",
     .subject = Subject::Connection,

@@ -5,10 +5,11 @@
 
 namespace fff {
 
-/// Of kConnected.
+/// Of both of them.
 struct Connection
 {
     int sections = 0, joints = 0; // all
+    Text provided = {};           // kWouldConnect: what keeps them from it
 };
 /// Of kNotConnected: a group of bodies that nothing holds to the largest group, by their sections.
 struct Gap
@@ -17,7 +18,8 @@ struct Gap
     double distance = -1.0;          // to it, mm; negative: unknown
 };
 
-extern const FindingKind kConnected, kNotConnected; // one kNotConnected a group
+extern const FindingKind kConnected, kWouldConnect;
+extern const FindingKind kNotConnected; // one a group
 
 extern const ActionKind kDeleteSections;
 

@@ -2,48 +2,68 @@
 
 #include "core/analysis/findings/connection.h"
 #include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/narrow_slits.h"
+#include "core/analysis/findings/order.h"
 #include "core/analysis/findings/pulled_joints.h"
 #include "core/analysis/findings/pushed_over.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/findings/thin_necks.h"
 
+#include <bit>
+
 namespace fff {
 
 namespace {
 
-/// What a finding says against that it stands; empty: nothing.
-Text whyNotStanding(const Finding &finding)
+enum Verdict : unsigned { Connects = 1, Assembles = 2, Stands = 4, Holds = 8 };
+
+/// What a finding says against verdicts; no text: nothing.
+struct Doubt
 {
+    unsigned against = 0;
+    Text provided;
+};
+
+Doubt doubtFrom(const Finding &finding)
+{
+    if (finding.is(kNotConnected) || finding.is(kLoosePieces) || finding.is(kSevered))
+        return {Stands | Holds, FFF_TEXT("Checks", "if it held together")};
+    if (finding.is(kHangsByNothing))
+        return {Connects | Assembles | Stands | Holds, FFF_TEXT("Checks", "if nothing fell apart")};
+    if (finding.is(kNarrowSlit) && finding.details<NarrowSlit>()->isClosed)
+        return {Connects | Assembles | Stands | Holds,
+                FFF_TEXT("Checks", "if the kerf closed no slit")};
+    if (finding.is(kTightSlits))
+        return {Assembles, FFF_TEXT("Checks", "if no slit were too tight")};
+    if (finding.is(kWideSlits))
+        return {Connects | Stands | Holds, FFF_TEXT("Checks", "if no slit were too wide")};
     if (finding.is(kFolds))
-        return FFF_TEXT("Checks", "if it did not fold");
+        return {Stands, FFF_TEXT("Checks", "if it did not fold")};
     if (finding.is(kMovesWithin))
-        return finding.sections.empty() ? FFF_TEXT("Checks", "if it did not slide away")
-                                        : FFF_TEXT("Checks", "if nothing came loose");
+        return {Stands, finding.sections.empty() ? FFF_TEXT("Checks", "if it did not slide away")
+                                                 : FFF_TEXT("Checks", "if nothing came loose")};
     if (finding.is(kPulledOpen))
-        return FFF_TEXT("Checks", "if no joint were pulled open");
+        return {Stands, FFF_TEXT("Checks", "if no joint were pulled open")};
     if (finding.is(kPushedOver))
-        return FFF_TEXT("Checks", "if nothing pushed it");
+        return {Stands, FFF_TEXT("Checks", "if nothing pushed it")};
     return {};
 }
 
-/// What it says against all of that.
-Text whyNotWhole(const Finding &finding)
+/// Of all that is wrong, or is so far, the first that says anything against a verdict; what says
+/// something against most of them goes first.
+Text doubtOf(Verdict verdict, const std::vector<Finding> &found)
 {
-    if (finding.is(kNotConnected) || finding.is(kLoosePieces) || finding.is(kSevered) ||
-        finding.is(kHangsByNothing))
-        return FFF_TEXT("Checks", "if it held together");
-    return {};
-}
-
-/// The first of what is wrong, or is so far, that says anything.
-Text firstOf(const std::vector<Finding> &found, Text (*why)(const Finding &))
-{
-    for (const Finding &finding : found)
-        if (finding.severity == Severity::Error || finding.isYet)
-            if (const Text text = why(finding); text.source)
-                return text;
-    return {};
+    Doubt most;
+    for (const Finding &finding : found) {
+        if (finding.severity != Severity::Error && !finding.isYet)
+            continue;
+        const Doubt doubt = doubtFrom(finding);
+        if ((doubt.against & verdict) != 0 &&
+            std::popcount(doubt.against) > std::popcount(most.against))
+            most = doubt;
+    }
+    return most.provided;
 }
 
 /// The same verdict as one that hangs on something.
@@ -57,18 +77,36 @@ void doubt(Finding &finding, const FindingKind &as, const Text &provided)
     finding.setDetails(std::move(details));
 }
 
+struct Doubted
+{
+    Verdict verdict;
+    const FindingKind *kind, *as;
+    void (*doubt)(Finding &, const FindingKind &, const Text &);
+};
+constexpr Doubted kDoubted[] = {
+    {Connects, &kConnected, &kWouldConnect, doubt<Connection>},
+    {Assembles, &kCanAssemble, &kCouldAssemble, doubt<AssemblyOrder>},
+    {Stands, &kStands, &kWouldStand, doubt<Footing>},
+    {Holds, &kHolds, &kWouldHold, doubt<Held>},
+};
+
 } // namespace
 
 void doubtVerdicts(std::vector<Finding> &found)
 {
-    const Text whole = firstOf(found, whyNotWhole);
-    const Text standing = whole.source ? whole : firstOf(found, whyNotStanding);
-    for (Finding &finding : found) {
-        if (finding.is(kStands) && standing.source)
-            doubt<Footing>(finding, kWouldStand, standing);
-        else if (finding.is(kHolds) && whole.source)
-            doubt<Held>(finding, kWouldHold, whole);
+    for (const Doubted &row : kDoubted) {
+        const Text provided = doubtOf(row.verdict, found);
+        if (!provided.source)
+            continue;
+        for (Finding &finding : found)
+            if (finding.kind == row.kind)
+                row.doubt(finding, *row.as, provided);
     }
+}
+
+VerdictDoubts verdictDoubts(const std::vector<Finding> &found)
+{
+    return {doubtOf(Assembles, found), doubtOf(Stands, found), doubtOf(Holds, found)};
 }
 
 } // namespace fff

@@ -5,6 +5,7 @@
 #include "core/operations/evaluate.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace fff {
@@ -16,28 +17,41 @@ Message loosePiecesSentence(const Finding &finding, const Model &model)
     const LoosePieces &pieces = *finding.details<LoosePieces>();
     const Named name = nameAt(finding, model, 0);
     const WidthAndHeight size{pieces.width, pieces.height};
+    //: %1 is the name of a section, %2 a number from 2 on
+    const Message apart{pieces.isBySlits ? FFF_TEXT("Checks", "Slits cut %1 into %2 parts")
+                                         : FFF_TEXT("Checks", "%1 comes out in %2 parts"),
+                        {name, pieces.parts}};
     if (pieces.loose == 1)
-        //: %1 is the name of a section, %2 a number from 2 on, %3 a size
-        return {FFF_TEXT("Checks", "Slits cut %1 into %2 parts; nothing holds one of them, %3."),
-                {name, pieces.parts, size}};
+        //: %1 is such as "Slits cut Body into 2 parts", %2 a size
+        return {FFF_TEXT("Checks", "%1; nothing holds one of them, %2."), {apart, size}};
     if (pieces.loose == pieces.parts)
-        //: %1 is the name of a section, %2 a number from 2 on, %3 a size
-        return {FFF_TEXT("Checks",
-                         "Slits cut %1 into %2 parts; nothing holds them, the largest being %3."),
-                {name, pieces.parts, size}};
-    //: %1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size
-    return {FFF_TEXT("Checks",
-                     "Slits cut %1 into %2 parts; nothing holds %3 of them, the largest being %4."),
-            {name, pieces.parts, pieces.loose, size}};
+        //: %1 is such as "Slits cut Body into 2 parts", %2 a size
+        return {FFF_TEXT("Checks", "%1; nothing holds them, the largest being %2."), {apart, size}};
+    //: %1 is such as "Slits cut Body into 4 parts", %2 a number from 2 on, %3 a size
+    return {FFF_TEXT("Checks", "%1; nothing holds %2 of them, the largest being %3."),
+            {apart, pieces.loose, size}};
 }
 
 Message severedSentence(const Finding &finding, const Model &model)
 {
     const SeveredPiece &piece = *finding.details<SeveredPiece>();
+    const auto hanging = finding.sections.begin() + piece.sections;
+    if (piece.sections > 1) {
+        const NamedSections cut = namesOf(model, {finding.sections.begin(), hanging});
+        if (hanging == finding.sections.end())
+            //: %1 names sections
+            return {FFF_TEXT("Checks", "Slits cut %1 apart. Nothing holds what is cut off, which "
+                                       "hangs together."),
+                    {cut}};
+        //: %1 and %2 name sections
+        return {FFF_TEXT("Checks",
+                         "Slits cut %1 apart. Nothing holds what is cut off, together with %2."),
+                {cut, namesOf(model, {hanging, finding.sections.end()})}};
+    }
     //: %1 is the name of a section, %2 a size, %3 names of sections
     return {FFF_TEXT("Checks", "Slits cut %1 apart. Nothing holds its part of %2 with %3."),
             {nameAt(finding, model, 0), WidthAndHeight{piece.width, piece.height},
-             namesOf(model, {finding.sections.begin() + 1, finding.sections.end()})}};
+             namesOf(model, {hanging, finding.sections.end()})}};
 }
 
 constexpr Text kTurnText = FFF_TEXT("Checks", "Flip slits");
@@ -96,16 +110,19 @@ Vec2 sizeOf(const Body &piece)
     return bounds(piece.outline().region.outer).size();
 }
 
-/// What slits cut off and what hangs on it.
-Finding severedOf(const Analysis &analysis, const std::vector<int> &group, int piece)
+/// What slits cut off, of those sections, and what hangs on it.
+Finding severedOf(const Analysis &analysis, const std::vector<int> &group,
+                  const std::vector<int> &pieces)
 {
     const Bodies &bodies = analysis.bodies;
-    const Body &body = bodies.at(piece);
+    const Body &body = bodies.at(pieces.front());
     const Vec2 size = sizeOf(body);
-    Finding finding = makeFinding(kSevered, Severity::Error, SeveredPiece{size.x(), size.y()});
-    finding.sections = {analysis.model.ref(static_cast<std::size_t>(bodies.sectionOf(piece)))};
+    Finding finding = makeFinding(kSevered, Severity::Error);
+    finding.sections = analysis.model.refs(sectionsOf(bodies, pieces));
+    finding.setDetails(SeveredPiece{size.x(), size.y(), static_cast<int>(finding.sections.size())});
+    const std::vector<SectionRef> cut = finding.sections;
     for (const SectionRef &other : analysis.model.refs(sectionsOf(bodies, group)))
-        if (!(other == finding.sections.front()))
+        if (std::find(cut.begin(), cut.end(), other) == cut.end())
             finding.sections.push_back(other);
     finding.at = body.mass().centre;
     return finding;
@@ -135,18 +152,19 @@ bool isLoosePiece(const Bodies &bodies, const std::vector<int> &group)
     return group.size() == 1 && bodies.countOf(bodies.sectionOf(group.front())) > 1;
 }
 
-std::optional<int> severedPiece(const Bodies &bodies, const std::vector<int> &group)
+std::vector<int> severedPieces(const Bodies &bodies, const std::vector<int> &group)
 {
     if (group.size() < 2)
         return {};
     std::map<int, int> inside; // pieces, by their sections
     for (const int body : group)
         ++inside[bodies.sectionOf(body)];
-    const auto severed = std::find_if(group.begin(), group.end(), [&](int body) {
+    std::vector<int> severed;
+    std::copy_if(group.begin(), group.end(), std::back_inserter(severed), [&](int body) {
         const int section = bodies.sectionOf(body);
         return inside[section] < bodies.countOf(section);
     });
-    return severed == group.end() ? std::nullopt : std::optional(*severed);
+    return severed;
 }
 
 void findLoosePieces(const Looked &at, std::vector<Finding> &found)
@@ -160,17 +178,18 @@ void findLoosePieces(const Looked &at, std::vector<Finding> &found)
         // Bodies of a section come the largest first.
         const Body &largest = bodies.at(*std::min_element(pieces.begin(), pieces.end()));
         const Vec2 size = sizeOf(largest);
-        Finding finding =
-            makeFinding(kLoosePieces, Severity::Error,
-                        LoosePieces{bodies.countOf(section), static_cast<int>(pieces.size()),
-                                    size.x(), size.y()});
+        Finding finding = makeFinding(
+            kLoosePieces, Severity::Error,
+            LoosePieces{bodies.countOf(section), static_cast<int>(pieces.size()), size.x(),
+                        size.y(),
+                        !at.analysis.assembly.slits[static_cast<std::size_t>(section)].empty()});
         finding.sections = {at.analysis.model.ref(static_cast<std::size_t>(section))};
         finding.at = largest.mass().centre;
         found.push_back(std::move(finding));
     }
     for (std::size_t g = 1; g < at.groups.size(); ++g)
-        if (const auto piece = severedPiece(bodies, at.groups[g]))
-            found.push_back(severedOf(at.analysis, at.groups[g], *piece));
+        if (const auto pieces = severedPieces(bodies, at.groups[g]); !pieces.empty())
+            found.push_back(severedOf(at.analysis, at.groups[g], pieces));
 }
 
 } // namespace fff

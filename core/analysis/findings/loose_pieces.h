@@ -4,7 +4,6 @@
 
 #include "core/analysis/finder.h"
 
-#include <optional>
 #include <vector>
 
 namespace fff {
@@ -15,13 +14,15 @@ struct LoosePieces
     int parts = 0;                    // that the section is cut into
     int loose = 0;                    // of these held by nothing
     double width = 0.0, height = 0.0; // mm, in the frame, of the largest of these
+    bool isBySlits = true;            // false: as it is drawn
 };
 
-/// Of kSevered; its first section is the one that is cut apart, the others are what hangs on the
-/// piece.
+/// Of kSevered; its first sections are those that are cut apart, the others are what hangs on their
+/// pieces.
 struct SeveredPiece
 {
-    double width = 0.0, height = 0.0; // mm, in the frame, of the piece
+    double width = 0.0, height = 0.0; // mm, in the frame, of the first piece
+    int sections = 1;                 // that are cut apart
 };
 
 extern const FindingKind kLoosePieces; // one a section
@@ -30,9 +31,8 @@ extern const ActionKind kTurnSlits;    // of one of its joints, so that they cut
 
 /// Whether a group is nothing but one piece of a section that is cut into several.
 bool isLoosePiece(const Bodies &bodies, const std::vector<int> &group);
-/// A piece in a group of several bodies whose section has others outside of the group; nothing
-/// where there is none.
-std::optional<int> severedPiece(const Bodies &bodies, const std::vector<int> &group);
+/// The pieces in a group of several bodies whose sections have others outside of the group.
+std::vector<int> severedPieces(const Bodies &bodies, const std::vector<int> &group);
 
 void findLoosePieces(const Looked &at, std::vector<Finding> &found);
 

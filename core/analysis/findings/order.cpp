@@ -25,6 +25,13 @@ Message canSentence(const Finding &finding, const Model &)
     return {FFF_TEXT_OF_MANY("Checks", "Can be assembled. %n steps."), {}, steps};
 }
 
+Message couldSentence(const Finding &finding, const Model &)
+{
+    //: %1 is such as "if nothing fell apart"
+    return {FFF_TEXT("Checks", "Could be assembled %1."),
+            {Message{finding.details<AssemblyOrder>()->provided, {}}}};
+}
+
 Message canOtherwiseSentence(const Finding &finding, const Model &)
 {
     const AssemblyOrder &order = *finding.details<AssemblyOrder>();
@@ -159,6 +166,9 @@ const ActionKind kMakeAssemblable{plainWords<kMakeText>, assemblable};
 
 const FindingKind kCanAssemble{"canAssemble", Subject::Assembly,
                                FFF_TEXT("Checks", "Can be assembled"), canSentence, showSteps};
+const FindingKind kCouldAssemble{"canAssemble", Subject::Assembly,
+                                 FFF_TEXT("Checks", "Could be assembled"), couldSentence,
+                                 showSteps};
 const FindingKind kCanOtherwiseAssemble{"interference", Subject::Assembly,
                                         FFF_TEXT("Checks", "Cannot be assembled yet"),
                                         canOtherwiseSentence, showSteps};

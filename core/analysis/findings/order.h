@@ -5,12 +5,13 @@
 
 namespace fff {
 
-/// Of kCanAssemble.
+/// Of all that have an order.
 struct AssemblyOrder
 {
     int steps = 0;
     int inEachOther = 0; // pairs of sections
     int loose = 0;       // parts that nothing holds to most of the others
+    Text provided = {};  // kCouldAssemble: what keeps it from that
 };
 /// Of kCannotAssemble.
 struct Blocked
@@ -27,7 +28,7 @@ struct OrderUnknown
     std::optional<Error> failure; // none: it took too long
 };
 
-extern const FindingKind kCanAssemble;
+extern const FindingKind kCanAssemble, kCouldAssemble;
 /// There is an order, but for parts that take up the same place where they end up.
 extern const FindingKind kCanOtherwiseAssemble;
 extern const FindingKind kCannotAssemble; // parts that block each other

@@ -4,9 +4,11 @@
 #include "core/analysis/findings/connection.h"
 #include "core/analysis/findings/doubted_verdicts.h"
 #include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/order.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/findings/thin_necks.h"
+#include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "core/session/finding_text.h"
 #include "core/session/session.h"
@@ -68,6 +70,8 @@ private Q_SLOTS:
     void aMendMakesThemGreenAgain();
     void aPieceWithWhatItCarries();
     void whatHangsByNothing();
+    void slitsThatDoNotFit_data();
+    void slitsThatDoNotFit();
 };
 
 // Wrong: "Stands" and "Strong enough" were green, of a heap of parts.
@@ -159,7 +163,56 @@ void TestDoubtedVerdicts::whatHangsByNothing()
         QCOMPARE(find(all.found, kHangsByNothing) != nullptr, hangs);
         QCOMPARE(find(all.found, kStands) == nullptr, hangs);
         QCOMPARE(find(all.found, kWouldStand) != nullptr, hangs);
+        QCOMPARE(find(all.found, kConnected) == nullptr, hangs);
+        QCOMPARE(find(all.found, kCanAssemble) == nullptr, hangs);
+        if (!hangs)
+            continue;
+        QCOMPARE(textOf(all, kWouldConnect),
+                 QStringLiteral("Would be connected if nothing fell apart."));
+        QCOMPARE(textOf(all, kCouldAssemble),
+                 QStringLiteral("Could be assembled if nothing fell apart."));
     }
+}
+
+void TestDoubtedVerdicts::slitsThatDoNotFit_data()
+{
+    QTest::addColumn<double>("clearance"); // mm
+    QTest::addColumn<double>("kerf");
+    QTest::addColumn<bool>("connects");
+    QTest::addColumn<bool>("goesTogether");
+    QTest::addColumn<bool>("stands");
+    QTest::newRow("they fit") << 0.0 << 0.15 << true << true << true;
+    QTest::newRow("wide, but it stands") << 0.6 << 0.15 << true << true << true;
+    QTest::newRow("10 mm too wide") << 10.0 << 0.15 << false << true << false;
+    QTest::newRow("closed by the kerf") << 0.0 << 20.0 << false << false << false;
+    QTest::newRow("too tight") << -0.5 << 0.15 << true << false << true;
+}
+
+// Wrong: "Stands" was green beside slits in which nothing is held, "Can be assembled" beside a slit
+// that is not there when it is cut.
+void TestDoubtedVerdicts::slitsThatDoNotFit()
+{
+    QFETCH(double, clearance);
+    QFETCH(double, kerf);
+    QFETCH(bool, connects);
+    QFETCH(bool, goesTogether);
+    QFETCH(bool, stands);
+    Document document = withCross(newDocument(), 0.0);
+    Stock stock = *document.stocks.front();
+    stock.clearance = clearance;
+    stock.kerf = kerf;
+    document = *setStock(std::move(document), stock);
+    const Staged all = staged(document);
+    QStringList said;
+    for (const Finding &finding : all.found)
+        said += findingText(finding, all.analysis->model);
+    const QByteArray list = said.join(u'\n').toUtf8();
+    QVERIFY2((find(all.found, kConnected) != nullptr) == connects, list.constData());
+    QVERIFY2((find(all.found, kWouldConnect) != nullptr) != connects, list.constData());
+    QVERIFY2((find(all.found, kCanAssemble) != nullptr) == goesTogether, list.constData());
+    QVERIFY2((find(all.found, kCouldAssemble) != nullptr) != goesTogether, list.constData());
+    QVERIFY2((find(all.found, kStands) != nullptr) == stands, list.constData());
+    QVERIFY2((find(all.found, kWouldStand) != nullptr) != stands, list.constData());
 }
 
 FFF_TEST(TestDoubtedVerdicts)
