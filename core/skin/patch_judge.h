@@ -3,6 +3,8 @@
 
 #include "core/skin/skin_curve.h"
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 namespace fff {
@@ -17,13 +19,18 @@ public:
     {
     }
 
-    /// Stays near the contours round it, and has its outside where the sections have theirs along
-    /// most of their length; else the mesh is as it was before.
+    /// Stays near the contours round it, does not stand out from among them like a balloon, and has
+    /// its outside where the sections have theirs along most of their length; else the mesh is as
+    /// it was before.
     bool keeps(const std::vector<SkinCurve> &sides);
 
 private:
+    using Normals = std::map<std::uint32_t, Vec3>; // of the patch, at its vertices; of any length
+
+    Normals normalsOfPatch() const;
     bool staysNear(const std::vector<SkinCurve> &sides) const;
-    bool facesOutwards(const std::vector<SkinCurve> &sides) const;
+    bool facesOutwards(const std::vector<SkinCurve> &sides, const Normals &normals) const;
+    bool isBalloon(const std::vector<SkinCurve> &sides, const Normals &normals) const;
 
     GrowingMesh &m_mesh;
     std::size_t m_points, m_triangles; // that were there before
