@@ -299,7 +299,7 @@
     </message>
     <message>
         <source>Sections block each other. %1 meet in %2 that slide in %3 different directions.</source>
-        <translation>Scheiben sperren einander. %1 treffen sich in %2, die in %3 verschiedene Richtungen gleiten.</translation>
+        <translation>Scheiben blockieren sich gegenseitig. %1 treffen sich in %2, die in %3 verschiedene Richtungen gleiten.</translation>
     </message>
     <message>
         <source>Can be assembled</source>
@@ -683,11 +683,6 @@
         <translation>Festigkeit unbekannt. Die Spannung in %1 konnte nicht ermittelt werden.</translation>
     </message>
     <message>
-        <source>Pulled open. The joint of %1 and %2 is pulled apart with %3 N.</source>
-        <extracomment>%3 is a number of newtons</extracomment>
-        <translation>Auseinandergezogen. Die Verbindung von %1 und %2 wird mit %3 N gezogen.</translation>
-    </message>
-    <message>
         <source>Pulled at. The joint of %1 and %2 is pulled with %3 N; the others hold without it.</source>
         <translation>Auf Zug. An der Verbindung von %1 und %2 ziehen %3 N; die anderen halten ohne sie.</translation>
     </message>
@@ -914,11 +909,11 @@
     </message>
     <message>
         <source>Sections block each other. %1 comes only %2 out of its slit before it hits %3.</source>
-        <translation>Scheiben sperren einander. %1 kommt nur %2 weit aus dem Schlitz, bis es an %3 stößt.</translation>
+        <translation>Scheiben blockieren sich gegenseitig. %1 kommt nur %2 weit aus dem Schlitz, bis es an %3 stößt.</translation>
     </message>
     <message>
         <source>Sections block each other. None of %1 can be removed in a straight line.</source>
-        <translation>Scheiben sperren einander. Keine von %1 lässt sich geradlinig herausziehen.</translation>
+        <translation>Scheiben blockieren sich gegenseitig. Keine von %1 lässt sich geradlinig herausziehen.</translation>
     </message>
     <message>
         <source>1 joint flipped.</source>
@@ -1360,6 +1355,11 @@
     <message>
         <source>Could be assembled</source>
         <translation>Ließe sich zusammenbauen</translation>
+    </message>
+    <message>
+        <source>Pulled open. The joint of %1 and %2 is pulled apart by %3 N.</source>
+        <extracomment>%3 is a number of newtons</extracomment>
+        <translation>Auseinandergezogen. %3 N ziehen die Verbindung von %1 und %2 auseinander.</translation>
     </message>
 </context>
 <context>
@@ -9014,24 +9014,12 @@
         <translation>Wie rund Ecken werden</translation>
     </message>
     <message>
-        <source>Sections</source>
-        <translation>Scheiben</translation>
-    </message>
-    <message>
         <source>Sections of its outlines, on its own plane</source>
         <translation>Scheiben aus seinen Umrissen, auf seiner Ebene</translation>
     </message>
     <message>
-        <source>Holes</source>
-        <translation>Löcher</translation>
-    </message>
-    <message>
         <source>Holes in the section that it lies on, or that is selected</source>
         <translation>Löcher in der Scheibe, auf der es liegt oder die ausgewählt ist</translation>
-    </message>
-    <message>
-        <source>Engraving</source>
-        <translation>Gravur</translation>
     </message>
     <message>
         <source>Lines on the section that it lies on, or that is selected</source>
@@ -9045,6 +9033,18 @@
         <source>%1, too many for sections</source>
         <extracomment>%1 is a number of outlines</extracomment>
         <translation>%1, zu viele für Scheiben</translation>
+    </message>
+    <message>
+        <source>Make sections</source>
+        <translation>Scheiben anlegen</translation>
+    </message>
+    <message>
+        <source>Cut holes</source>
+        <translation>Löcher schneiden</translation>
+    </message>
+    <message>
+        <source>Engrave</source>
+        <translation>Gravieren</translation>
     </message>
 </context>
 <context>
@@ -9791,7 +9791,7 @@
     <message>
         <source>Recovered: %1</source>
         <extracomment>%1 is a model&apos;s name, how much was done, and when</extracomment>
-        <translation>Gerettet: %1</translation>
+        <translation>Wiederhergestellt: %1</translation>
     </message>
     <message>
         <source>Open it</source>
@@ -11240,10 +11240,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>So viele Male höher gilt die Spannung an inneren Ecken.</translation>
     </message>
     <message>
-        <source>Loads stay for months</source>
-        <translation>Lasten bleiben für Monate</translation>
-    </message>
-    <message>
         <source>Back up unsaved work every</source>
         <translation>Ungespeichertes sichern alle</translation>
     </message>
@@ -11265,7 +11261,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Strokes follow a template within</source>
-        <translation>Striche folgen einer Vorlage ab</translation>
+        <translation>Striche folgen einer Vorlage bis auf</translation>
+    </message>
+    <message>
+        <source>Loads stay on for months</source>
+        <translation>Lasten wirken monatelang</translation>
     </message>
 </context>
 <context>
@@ -11587,7 +11587,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Recovered: %1</source>
         <extracomment>%1 is a model&apos;s name, how much was done, and when</extracomment>
-        <translation>Gerettet: %1</translation>
+        <translation>Wiederhergestellt: %1</translation>
     </message>
     <message>
         <source>Open it</source>

@@ -1,6 +1,7 @@
 #include "core/interaction/size_line_tool.h"
 
 #include "core/base/tolerances.h"
+#include "core/interaction/facing.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/snapping.h"
 #include "core/interaction/template_words.h"
@@ -19,6 +20,18 @@ namespace {
 constexpr double kShortestLine = 1e-3;
 /// Beside a picture, or round a mesh, of half its size: things are drawn up to their edges.
 constexpr double kBesideTemplate = 1.15;
+
+/// Cosine between the way to the eye and a picture's normal, below which its edge is seen (about
+/// 85°).
+constexpr double kLeastFacing = 0.09;
+
+Camera facingPlane(const GestureContext &context, const Frame &plane)
+{
+    const Eigen::Quaterniond front = facingOrientation(context.camera.orientation, plane.normal());
+    const Vec2 middle = 0.5 * context.viewport;
+    return pinned(turned(context.camera, front, plane.origin, context.viewport), plane.origin,
+                  middle, context.viewport);
+}
 
 Result<Document> sizedDocument(const Model &model, TemplateId id, const Vec3 &from, const Vec3 &to,
                                double length)
@@ -54,6 +67,14 @@ std::optional<Frame> SizeLineTool::plane(const GestureContext &context) const
     return plane;
 }
 
+bool SizeLineTool::isEdgeOn(const GestureContext &context) const
+{
+    const std::optional<Frame> on = plane(context);
+    return on &&
+           std::abs(context.camera.towardsEye(on->origin, context.viewport).dot(on->normal())) <
+               kLeastFacing;
+}
+
 std::optional<Vec3> SizeLineTool::placeAt(const Vec2 &position, const GestureContext &context) const
 {
     const std::optional<Frame> on = plane(context);
@@ -76,6 +97,8 @@ bool SizeLineTool::isOver(const Vec3 &place, const GestureContext &context) cons
 
 bool SizeLineTool::takes(const PointerEvent &press, GestureContext &context) const
 {
+    if (!m_from && isEdgeOn(context))
+        return true; // no stroke begins where nobody sees the picture
     const std::optional<Vec3> place = placeAt(press.position, context);
     return place && (m_from || isOver(*place, context));
 }
@@ -94,8 +117,12 @@ GestureReply SizeLineTool::begin(GestureContext &context, double)
 {
     if (!plane(context))
         return over(context);
-    m_name = context.model.document.find(m_of)->name;
-    return {};
+    const Template &one = *context.model.document.find(m_of);
+    m_name = one.name;
+    GestureReply reply;
+    if (one.isFlat() && isEdgeOn(context))
+        reply.turnTo = facingPlane(context, *plane(context));
+    return reply;
 }
 
 void SizeLineTool::endLine()
@@ -120,7 +147,7 @@ void SizeLineTool::press(const PointerEvent &event)
 
 GestureReply SizeLineTool::handle(const PointerEvent &event, GestureContext &context)
 {
-    m_place = placeAt(event.position, context);
+    m_place = isEdgeOn(context) ? std::nullopt : placeAt(event.position, context);
     m_isOver = m_place && isOver(*m_place, context);
     if (m_place && m_from && event.modifiers.shift) {
         const Frame on = *plane(context);

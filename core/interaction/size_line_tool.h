@@ -54,6 +54,7 @@ private:
         Result<Document> sized;
     };
     std::optional<Frame> plane(const GestureContext &context) const;
+    bool isEdgeOn(const GestureContext &context) const;
     std::optional<Vec3> placeAt(const Vec2 &position, const GestureContext &context) const;
     bool isOver(const Vec3 &place, const GestureContext &context) const;
     void press(const PointerEvent &event);

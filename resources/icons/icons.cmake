@@ -78,6 +78,7 @@ set(icon_names
     pen
     perspective
     pick
+    picture
     plane_front
     plane_ground
     plane_parallel

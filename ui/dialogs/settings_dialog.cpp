@@ -321,7 +321,7 @@ void SettingsDialog::addStrength(SettingsForm &form)
     tenths("settingsNotch", tr("Notch factor, at most"), Settings::kMinNotch, Settings::kMaxNotch,
            settings().notchFactor(), [](int factor) { settings().setNotchFactor(factor); });
     form.note(tr("How many times higher stress is taken to be at inner corners."));
-    form.box("settingsLasting", tr("Loads stay for months"), settings().isLoadLasting(),
+    form.box("settingsLasting", tr("Loads stay on for months"), settings().isLoadLasting(),
              [](bool on) { settings().setLoadLasting(on); });
 }
 

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -21,6 +22,9 @@ namespace {
 constexpr int kFlatGap = 6; // px
 constexpr double kAll = 100.0;
 constexpr std::int64_t kSampled = 250'000; // px that are looked at for a threshold
+constexpr std::array<const char *, 4> kPlanes{"ground", "front", "side", "section"};
+/// Cosine, of a plane that is told by its name: within half a degree.
+constexpr double kSameDirectionAs = 0.99996;
 constexpr NumberEdit::Range kFlatTurn{-360.0, 360.0, 1.0, 0, 2};
 
 } // namespace
@@ -54,7 +58,11 @@ void FlatGroup::addPlace()
             if (const Template *one = m_chosen())
                 m_bench.run(QStringLiteral("template.lay"),
                             {{"template", one->name}, {"plane", plane}});
+            showPlane(); // also where it already lay there
         });
+    for (const char *plane : kPlanes)
+        m_place->findChild<QPushButton *>(QLatin1String("flat.") + QLatin1String(plane))
+            ->setCheckable(true);
     m_turn = new NumberEdit(kFlatTurn, tr("°"));
     connect(m_turn, &NumberEdit::numberEdited, this, [this](double degrees) {
         if (const Template *one = m_chosen())
@@ -92,22 +100,22 @@ void FlatGroup::addTrace()
     m_ofPictures.push_back(m_outlines);
     m_outlines->installEventFilter(this); // what is drawn in the view comes and goes with it
     connect(m_preview, &TracePreview::changed, this, [this] { m_outlines->refresh(); });
-    addButtons(
-        m_trace,
-        {{tr("Sections"), "sections", tr("Sections of its outlines, on its own plane")},
-         {tr("Holes"), "holes", tr("Holes in the section that it lies on, or that is selected")},
-         {tr("Engraving"), "engraved",
-          tr("Lines on the section that it lies on, or that is selected")}},
-        [this](const char *as) {
-            const Template *one = m_chosen();
-            if (!one)
-                return;
-            const auto kind = *as == 's'   ? DrawingAs::Sections
-                              : *as == 'h' ? DrawingAs::Holes
-                                           : DrawingAs::Engraved;
-            const PictureTrace with = trace(*one);
-            Q_EMIT traceWanted({one->id, kind, with, m_preview->known(*one, with)});
-        });
+    addButtons(m_trace,
+               {{tr("Make sections"), "sections", tr("Sections of its outlines, on its own plane")},
+                {tr("Cut holes"), "holes",
+                 tr("Holes in the section that it lies on, or that is selected")},
+                {tr("Engrave"), "engraved",
+                 tr("Lines on the section that it lies on, or that is selected")}},
+               [this](const char *as) {
+                   const Template *one = m_chosen();
+                   if (!one)
+                       return;
+                   const auto kind = *as == 's'   ? DrawingAs::Sections
+                                     : *as == 'h' ? DrawingAs::Holes
+                                                  : DrawingAs::Engraved;
+                   const PictureTrace with = trace(*one);
+                   Q_EMIT traceWanted({one->id, kind, with, m_preview->known(*one, with)});
+               });
 }
 
 PictureTrace FlatGroup::trace(const Template &one) const
@@ -208,7 +216,23 @@ void FlatGroup::refresh()
     }
     if (const auto world = worldFrame(*one, m_bench.session().model()))
         m_turn->setNumber(degrees(turnOf(*world)));
+    showPlane();
     preview();
+}
+
+/// The plane that it lies on is pressed.
+void FlatGroup::showPlane()
+{
+    const Template *one = m_chosen();
+    const auto world = one ? worldFrame(*one, m_bench.session().model()) : std::nullopt;
+    const Vec3 normal = world ? Vec3(world->normal().cwiseAbs()) : Vec3(Vec3::Zero());
+    const auto isAlong = [&](int axis) { return normal[axis] >= kSameDirectionAs; };
+    const bool isOnSection = one && one->on;
+    const std::array<bool, 4> lies{!isOnSection && isAlong(1), !isOnSection && isAlong(2),
+                                   !isOnSection && isAlong(0), isOnSection};
+    for (std::size_t i = 0; i < lies.size(); ++i)
+        m_place->findChild<QPushButton *>(QLatin1String("flat.") + QLatin1String(kPlanes[i]))
+            ->setChecked(lies[i]);
 }
 
 } // namespace fff::ui

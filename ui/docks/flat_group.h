@@ -52,6 +52,7 @@ private:
     /// As its fields have it.
     PictureTrace trace(const Template &one) const;
     void preview();
+    void showPlane();
     QString outlinesFound() const;
 
     Workbench &m_bench;

@@ -95,6 +95,7 @@ TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
     column->addWidget(m_empty);
     column->addWidget(m_tree);
     column->addWidget(makeFields(), 1);
+    column->addStretch();
     setWidget(content);
     connect(&bench.session(), &Session::modelChanged, this, &TemplatesDock::followModel);
     followModel();
@@ -103,7 +104,7 @@ TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
 
 QWidget *TemplatesDock::makeFields()
 {
-    auto *area = new QScrollArea;
+    auto *area = m_area = new QScrollArea;
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -287,7 +288,7 @@ void TemplatesDock::writeRows()
 
 void TemplatesDock::writeRow(QTreeWidgetItem *item, const Template &one)
 {
-    item->setIcon(kTemplateName, rowIcon(one.isFlat() ? QStringLiteral("plane_front")
+    item->setIcon(kTemplateName, rowIcon(one.isFlat() ? QStringLiteral("picture")
                                                       : QStringLiteral("figure_polygon")));
     item->setText(kTemplateName, QString::fromStdString(one.name));
     const QString file = QString::fromStdString(one.file);
@@ -407,7 +408,7 @@ void TemplatesDock::change(const std::function<void(Template &)> &change, Text s
 void TemplatesDock::refreshFields()
 {
     const Template *one = chosen();
-    m_fields->setVisible(one != nullptr);
+    m_area->setVisible(one != nullptr);
     if (!one)
         return;
     m_group->setEnabled(!one->isLocked);

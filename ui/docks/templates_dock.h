@@ -11,6 +11,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -70,6 +71,7 @@ private:
     Workbench &m_bench;
     QTreeWidget *m_tree = nullptr;
     QLabel *m_empty = nullptr;
+    QScrollArea *m_area = nullptr;
     QWidget *m_fields = nullptr;
     PropertyGroup *m_group = nullptr;
     MakingGroup *m_making = nullptr;

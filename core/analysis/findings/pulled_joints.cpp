@@ -21,7 +21,7 @@ Message pulledSentence(const Finding &finding, const Model &model)
     //: %3 is a number of newtons
     return {
         isApart
-            ? FFF_TEXT("Checks", "Pulled open. The joint of %1 and %2 is pulled apart with %3 N.")
+            ? FFF_TEXT("Checks", "Pulled open. The joint of %1 and %2 is pulled apart by %3 N.")
             : FFF_TEXT("Checks", "Pulled at. The joint of %1 and %2 is pulled with %3 N; the "
                                  "others hold without it."),
         {nameAt(finding, model, 0), nameAt(finding, model, 1),
