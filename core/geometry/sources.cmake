@@ -1,5 +1,7 @@
 target_sources(fff_core PRIVATE
+    geometry/arc_fit.cpp
     geometry/arc_length.cpp
+    geometry/arc_path.cpp
     geometry/bezier.cpp
     geometry/boolean.cpp
     geometry/box_tree.cpp

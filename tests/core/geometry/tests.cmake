@@ -1,4 +1,5 @@
 fff_tests(tests_geometry LIBRARIES fff::core CGAL::CGAL TESTS
+    core/geometry/tst_arc_fit
     core/geometry/tst_arc_length
     core/geometry/tst_bezier
     core/geometry/tst_boolean
