@@ -8,6 +8,7 @@
 #include "core/geometry/uncut.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fff {
 
@@ -119,7 +120,7 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
         cutting.withoutPart.push_back(
             analysis.model.section(static_cast<std::size_t>(section))->name);
     cutting.partCount = static_cast<int>(parts.size());
-    cutting.list = partList(parts, analysis.model);
+    std::vector<ListedPart> list = partList(parts, analysis.model); // as designed, without kerf
     const auto slit = narrowestDrawn(analysis, options.compensatesKerf);
     if (!slit)
         return tl::unexpected(slit.error());
@@ -152,7 +153,8 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
         addOnce(cutting.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
     cutting.drawing =
         cuttingDrawing(layout, std::move(parts), std::move(engravings), analysis.model,
-                       {options.hasReference, options.compensatesKerf});
+                       {options.hasReference, options.compensatesKerf, options.machine});
+    cutting.drawing.list = std::move(list);
     return cutting;
 }
 

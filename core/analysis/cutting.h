@@ -6,6 +6,7 @@
 #include "core/fabrication/cutting_drawing.h"
 #include "core/fabrication/part_list.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct CuttingOptions
     LayoutOptions layout;
     bool compensatesKerf = true; // each cut path offset by half its stock's kerf
     bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
+    std::shared_ptr<const Machine> machine = nullptr; // that it is for; none: no particular one
 };
 
 /// The narrowest slit as it is drawn: the cutter takes the kerf off its walls again.
@@ -29,7 +31,6 @@ struct Cutting
 {
     CuttingDrawing drawing;
     int partCount = 0;
-    std::vector<ListedPart> list;         // of all parts
     double usedShare = 0.0;               // of the sheets' area that parts cover, 0 … 1
     std::vector<std::string> withoutPart; // names of sections of which slits leave nothing
     std::vector<std::string> oversized;   // names of sections with a part that fits no sheet

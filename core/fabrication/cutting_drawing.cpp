@@ -29,6 +29,7 @@ CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
     CuttingDrawing drawing;
     drawing.isKerfApplied = options.isKerfApplied;
     drawing.hasReference = options.hasReference;
+    drawing.machine = options.machine;
     for (const Sheet &sheet : layout.sheets) {
         CuttingSheet &all = drawing.sheets.emplace_back();
         all.number = static_cast<int>(drawing.sheets.size());
@@ -54,6 +55,8 @@ CuttingDrawing onSheet(const CuttingDrawing &drawing, std::size_t index)
     one.sheets = {drawing.sheets[index]};
     one.isKerfApplied = drawing.isKerfApplied;
     one.hasReference = drawing.hasReference;
+    one.machine = drawing.machine;
+    one.list = drawing.list;
     std::copy_if(drawing.stocks.begin(), drawing.stocks.end(), std::back_inserter(one.stocks),
                  [&](const Stock &stock) { return stock.id == drawing.sheets[index].stock; });
     return one;

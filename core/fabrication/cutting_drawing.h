@@ -4,6 +4,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
+#include "core/fabrication/listed_part.h"
 #include "core/fabrication/marks.h"
 
 #include <memory>
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace fff {
+
+struct Machine;
 
 enum class LineRole {
     Engrave,  // that people drew on sections
@@ -123,15 +126,18 @@ struct CuttingSheet
 struct CuttingDrawing
 {
     std::vector<CuttingSheet> sheets;
-    std::vector<Stock> stocks; // that are on them, in the document's order
+    std::vector<Stock> stocks;    // that are on them, in the document's order
+    std::vector<ListedPart> list; // of all parts of the model
     bool isKerfApplied = false;
     bool hasReference = true; // a bar of 100 mm x 10 mm, to measure after cutting: a guide
+    std::shared_ptr<const Machine> machine; // that it is for (machine.h); none: no particular one
 };
 
 struct DrawingOptions
 {
     bool hasReference = true;
     bool isKerfApplied = false; // what `parts` are: outlines as designed, or compensated already
+    std::shared_ptr<const Machine> machine = nullptr;
 };
 
 /// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.

@@ -2,21 +2,11 @@
 #pragma once
 
 #include "core/fabrication/cutting_drawing.h"
+#include "core/fabrication/listed_part.h"
 
-#include <string>
 #include <vector>
 
 namespace fff {
-
-/// Parts that are the same but for their engraved numbers.
-struct ListedPart
-{
-    std::vector<int> numbers; // ascending, as engraved; as many as there are of it
-    std::string name;         // of the first one's section
-    StockId stock;
-    Vec2 size = Vec2::Zero(); // of its box as it was drawn, mm, without the kerf
-    double area = 0.0;        // mm², the same
-};
 
 /// In the order of their first numbers. The same is what is of one stock and has the same points to
 /// kClipGrid, where they were drawn: copies made by operations are, and what was pasted.

@@ -31,6 +31,7 @@ target_sources(fff_core PRIVATE
     geometry/outlines.cpp
     geometry/path_locator.cpp
     geometry/point_removal.cpp
+    geometry/point_tree.cpp
     geometry/polygon.cpp
     geometry/radial_contour.cpp
     geometry/raw_offset.cpp

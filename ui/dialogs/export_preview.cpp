@@ -123,7 +123,7 @@ void ExportPreview::refresh()
     showSheet();
     if (const Cutting *cutting = m_work.cutting(); cutting != m_listed) {
         m_listed = cutting;
-        m_table->setParts(cutting ? cutting->list : std::vector<ListedPart>());
+        m_table->setParts(cutting ? cutting->drawing.list : std::vector<ListedPart>());
     }
     refreshHead();
 }

@@ -80,9 +80,9 @@ void TestPartList::sizesAreThoseThatWereDrawn()
     const Result<Cutting> cutting = makeCutting(analysed(document));
     QVERIFY(cutting);
     QVERIFY(document.stocks.front()->kerf > 0.0);
-    QCOMPARE(cutting->list.size(), std::size_t(1));
-    QVERIFY((cutting->list.front().size - Vec2(40.0, 30.0)).norm() < 1e-6);
-    QVERIFY(std::abs(cutting->list.front().area - (1200.0 - 50.0)) < 1e-6);
+    QCOMPARE(cutting->drawing.list.size(), std::size_t(1));
+    QVERIFY((cutting->drawing.list.front().size - Vec2(40.0, 30.0)).norm() < 1e-6);
+    QVERIFY(std::abs(cutting->drawing.list.front().area - (1200.0 - 50.0)) < 1e-6);
 }
 
 // A rectangle's corners are cut round by half a kerf: 2 (w + h) + 2 pi r; its hole's stay sharp and

@@ -17,6 +17,7 @@ fff_tests(tests_geometry LIBRARIES fff::core CGAL::CGAL TESTS
     core/geometry/tst_moments
     core/geometry/tst_notch
     core/geometry/tst_outlines
+    core/geometry/tst_point_tree
     core/geometry/tst_polygon
     core/geometry/tst_region_tree
     core/geometry/tst_side_of_line
