@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QSet>
 
 #include <array>
 #include <cmath>
@@ -239,12 +240,38 @@ void addDocumentOptions(QCommandLineParser &parser)
 
 void addFormatOptions(QCommandLineParser &parser, io::FormatOption::Of of)
 {
+    QSet<QString> known; // several formats may have one
     for (const io::Format *format : io::formats())
         for (const io::FormatOption &option : format->options)
-            if (option.of == of)
-                parser.addOption(
-                    {QLatin1String(option.name), tr(option.help), QLatin1String(option.value)});
+            if (const QString name = QLatin1String(option.name);
+                option.of == of && !known.contains(name)) {
+                known += name;
+                parser.addOption({name, tr(option.help), QLatin1String(option.value)});
+            }
 }
+
+namespace {
+
+/// The place of the word that was given.
+std::optional<double> choice(const QCommandLineParser &parser, const Verb &verb,
+                             const io::FormatOption &option, std::optional<int> &status)
+{
+    const QString name = QLatin1String(option.name);
+    if (!parser.isSet(name))
+        return std::nullopt;
+    const QString given = parser.value(name);
+    QStringList words;
+    for (const io::FormatOption::Choice &one : option.choices) {
+        if (given.compare(QLatin1String(one.name), Qt::CaseInsensitive) == 0)
+            return static_cast<double>(words.size());
+        words += QLatin1String(one.name);
+    }
+    status = wrongUse(verb, tr("--%1: found \"%2\", expected %3.")
+                                .arg(name, given, io::enumerated(words, tr("%1 or %2"))));
+    return std::nullopt;
+}
+
+} // namespace
 
 io::FormatValues formatValues(const QCommandLineParser &parser, const Verb &verb,
                               io::FormatOption::Of of, std::optional<int> &status)
@@ -255,7 +282,9 @@ io::FormatValues formatValues(const QCommandLineParser &parser, const Verb &verb
             if (status || option.of != of)
                 continue;
             if (const std::optional<double> value =
-                    number(parser, verb, option.name, option.least, status, option.most))
+                    option.choices.empty()
+                        ? number(parser, verb, option.name, option.least, status, option.most)
+                        : choice(parser, verb, option, status))
                 values[option.name] = *value;
         }
     }

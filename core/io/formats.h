@@ -23,16 +23,25 @@ namespace fff::io {
 
 struct SvgDrawing;
 
-/// A number that a reader or a writer may be told: on the command line "--NAME VALUE".
+/// A number that a reader or a writer may be told, or one of a few words: on the command line
+/// "--NAME VALUE".
 struct FormatOption
 {
     enum class Of { Reading, Writing };
+    struct Choice
+    {
+        const char *name = ""; // "r12"
+        /// What Export offers in a row of its own, context "Format"; none for the usual one, which
+        /// is the format's own, and for what is asked for on the command line alone.
+        const char *title = "", *titleOfSheets = "";
+    };
 
     const char *name = "";
     const char *value = ""; // how help calls it: "MM"
     const char *help = "";  // context "CommandLine"
     double least = 0.0, most = 0.0;
     Of of = Of::Writing;
+    std::vector<Choice> choices = {}; // in place of a number: its value is its place among these
 };
 
 /// Texts are marked with QT_TRANSLATE_NOOP where they stand. Functions are null for what a format
@@ -42,8 +51,8 @@ struct Format
     const char *key = "";               // in what machines read
     std::vector<const char *> suffixes; // without a dot; the first is that of what is written
     const char *program = "";           // whose it is, by name; empty: ours, or everybody's
-    // What is written, as a file dialog calls it, where each sheet has a file, and where it is the
-    // skin; context "Format".
+    // What is written, as a file dialog calls it, where each sheet has a file (none: one has all),
+    // and where it is the skin; context "Format".
     const char *title = "", *titleOfSheets = "", *titleOfSkin = "";
     const char *help = ""; // what `export` writes in it, within a sentence; context "CommandLine"
     std::vector<FormatOption> options = {};

@@ -12,6 +12,12 @@ namespace fff::io {
 
 /// Values of a format's options (core/io/formats.h) by name; what is missing is as usual.
 using FormatValues = std::map<std::string, double>;
+/// That of an option, or what is usual.
+inline double valueOf(const FormatValues &values, const char *option, double usual)
+{
+    const auto found = values.find(option);
+    return found == values.end() ? usual : found->second;
+}
 
 struct ReadOptions
 {

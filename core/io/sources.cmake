@@ -41,6 +41,7 @@ target_sources(fff_io PRIVATE
     ply_header.cpp
     ply_reader.cpp
     ply_writer.cpp
+    stacked_sheets.cpp
     stl_reader.cpp
     stl_writer.cpp
     svg_clip.cpp
@@ -54,4 +55,5 @@ target_sources(fff_io PRIVATE
     template_file.cpp
     threemf_reader.cpp
     warning_summary.cpp
+    xml_text.cpp
 )

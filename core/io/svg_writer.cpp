@@ -1,52 +1,17 @@
 #include "core/io/svg_writer.h"
 
+#include "core/fabrication/machine.h"
 #include "core/io/drawing_text.h"
+#include "core/io/stacked_sheets.h"
+#include "core/io/xml_text.h"
 
-#include <QString>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace fff::io {
 
 namespace {
-
-constexpr double kSheetGap = 10.0;
-const Vec2 kReferenceSize(100.0, 10.0);
-constexpr std::string_view kCut = "#ff0000";
-constexpr std::string_view kNumbers = "#0000ff";
-constexpr std::string_view kEngraved = "#000000";
-constexpr std::string_view kScored = "#00ff00";
-constexpr std::string_view kGuide = "#ffcc00";
-
-bool isPlainText(const std::string &text)
-{
-    return std::all_of(text.begin(), text.end(), [](char c) {
-        return c >= ' ' && c <= '~' && c != '&' && c != '<' && c != '>' && c != '"';
-    });
-}
-
-/// For text and attributes. What is no UTF-8 or not allowed in XML becomes U+FFFD.
-std::string escaped(const std::string &text)
-{
-    if (isPlainText(text))
-        return text;
-    QString result;
-    for (const QChar c : QString::fromStdString(text)) {
-        if (c == QLatin1Char('&'))
-            result += QStringLiteral("&amp;");
-        else if (c == QLatin1Char('<'))
-            result += QStringLiteral("&lt;");
-        else if (c == QLatin1Char('>'))
-            result += QStringLiteral("&gt;");
-        else if (c == QLatin1Char('"'))
-            result += QStringLiteral("&quot;");
-        else if ((c < QLatin1Char(' ') && !c.isSpace()) || c.unicode() >= 0xFFFE)
-            result += QChar(QChar::ReplacementCharacter);
-        else
-            result += c;
-    }
-    return result.toStdString();
-}
 
 /// From a sheet's coordinates to those of the drawing.
 class Transform
@@ -104,47 +69,59 @@ void addLabel(const CuttingPart &part, const Transform &transform, DrawingText &
     });
 }
 
-void addRectangle(const Vec2 &corner, const Vec2 &size, DrawingText &out)
+std::string hexColour(std::uint32_t colour)
 {
-    out << "    <rect x=\"" << corner.x() << "\" y=\"" << corner.y() << "\" width=\"" << size.x()
-        << "\" height=\"" << size.y() << "\" stroke=\"" << kGuide << "\"/>\n";
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (int shift = 20; shift >= 0; shift -= 4)
+        text += kDigits[colour >> shift & 0xF];
+    return text;
 }
 
-struct Look
+/// What the lines of each purpose are drawn in.
+class SvgColours
 {
-    std::string_view colour;
-    bool isCut = false;
+public:
+    explicit SvgColours(const Machine &machine)
+    {
+        for (std::size_t i = 0; i < kPurposes; ++i)
+            m_texts[i] = hexColour(machine.processes[i].colour);
+    }
+    std::string_view of(Purpose purpose) const
+    {
+        return m_texts[static_cast<std::size_t>(purpose)];
+    }
+
+private:
+    std::array<std::string, kPurposes> m_texts;
 };
 
-Look lookOf(LineRole role)
+void addRectangle(const Vec2 &corner, const Vec2 &size, const SvgColours &colours, DrawingText &out)
 {
-    switch (role) {
-    case LineRole::Engrave:
-        return {kEngraved};
-    case LineRole::Score:
-        return {kScored};
-    case LineRole::InnerCut:
-    case LineRole::OuterCut:
-        return {kCut, true};
-    }
-    return {kCut, true}; // not reached: every role is above
+    out << "    <rect x=\"" << corner.x() << "\" y=\"" << corner.y() << "\" width=\"" << size.x()
+        << "\" height=\"" << size.y() << "\" stroke=\"" << colours.of(Purpose::Guide) << "\"/>\n";
 }
 
-void addPart(const CuttingPart &part, const Transform &transform, DrawingText &out)
+bool isCut(LineRole role)
 {
-    const auto path = [&](std::string_view colour, const auto &addShape) {
-        out << "      <path stroke=\"" << colour << "\" d=\"";
+    return role == LineRole::InnerCut || role == LineRole::OuterCut;
+}
+
+void addPart(const CuttingPart &part, const Transform &transform, const SvgColours &colours,
+             DrawingText &out)
+{
+    const auto path = [&](Purpose purpose, const auto &addShape) {
+        out << "      <path stroke=\"" << colours.of(purpose) << "\" d=\"";
         addShape();
         out << "\"/>\n";
     };
     out << "    <g id=\"part-" << std::to_string(part.number()) << "\">\n      <title>"
         << escaped(part.name()) << "</title>\n";
     if (part.hasLabel())
-        path(kNumbers, [&] { addLabel(part, transform, out); });
+        path(Purpose::Number, [&] { addLabel(part, transform, out); });
     part.forLines([&](const CuttingLine &line) {
-        const Look look = lookOf(line.role());
-        path(look.colour, [&] {
-            if (look.isCut)
+        path(purposeOf(line.role()), [&] {
+            if (isCut(line.role()))
                 addCut(line, transform, out);
             else
                 addDrawn(line, transform, out);
@@ -175,7 +152,7 @@ Vec2 drawingSize(const CuttingDrawing &drawing)
     };
     for (const CuttingSheet &sheet : drawing.sheets)
         append(sheet.size);
-    if (drawing.hasReference)
+    if (hasBar(drawing))
         append(kReferenceSize);
     return size;
 }
@@ -202,20 +179,23 @@ std::string writeSvg(const CuttingDrawing &drawing)
         << size.x() << "mm\" height=\"" << size.y() << "mm\" viewBox=\"0 0 " << size.x() << " "
         << size.y() << "\">\n";
     addMetadata(drawing, out);
+    const Machine &machine = machineOf(drawing);
+    const SvgColours colours(machine);
     double top = 0.0;
     for (const CuttingSheet &sheet : drawing.sheets) {
         out << "  <g id=\"sheet-" << std::to_string(sheet.number)
-            << "\" fill=\"none\" stroke-width=\"0.05\">\n";
-        if (drawing.sheets.size() > 1)
-            addRectangle({0.0, top}, sheet.size, out);
+            << "\" fill=\"none\" stroke-width=\"" << machine.stroke << "\">\n";
+        if (machine.hasGuides && drawing.sheets.size() > 1)
+            addRectangle({0.0, top}, sheet.size, colours, out);
         for (const CuttingPart &part : sheet.parts)
-            addPart(part, Transform(top + sheet.size.y()), out);
+            addPart(part, Transform(top + sheet.size.y()), colours, out);
         out << "  </g>\n";
         top += sheet.size.y() + kSheetGap;
     }
-    if (drawing.hasReference) {
-        out << "  <g id=\"reference-100mm-10mm\" fill=\"none\" stroke-width=\"0.05\">\n";
-        addRectangle({0.0, top}, kReferenceSize, out);
+    if (hasBar(drawing)) {
+        out << "  <g id=\"reference-100mm-10mm\" fill=\"none\" stroke-width=\"" << machine.stroke
+            << "\">\n";
+        addRectangle({0.0, top}, kReferenceSize, colours, out);
         out << "  </g>\n";
     }
     out << "</svg>\n";

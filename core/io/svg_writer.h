@@ -10,6 +10,7 @@ namespace fff::io {
 /// One drawing of all sheets, stacked from top to bottom, 10 mm apart.
 ///
 ///   units      root width and height in mm, viewBox "0 0 width height": one user unit is 1 mm
+///   colours    those of the machine, and its width of lines; here the usual ones
 ///   cuts       red (#ff0000), 0.05 mm wide, no fill, every boundary a path of its own closed by Z,
 ///              holes of a part before its outside, as they are to be cut; curves as C, straight
 ///              edges as L

@@ -184,6 +184,7 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     static_cast<CuttingOptions &>(options) = rememberedChoices().cutting();
     options.isFilePerSheet = kind.isFilePerSheet;
     options.format = kind.format;
+    options.values = kind.values;
     const QString doing = tr("Exporting %1…").arg(name);
     const auto made = inBackground<Result<io::CuttingFile>>(
         m_window, doing, MayCancel::No, [analysis = m_bench.session().analysisPointer(), options] {
@@ -242,9 +243,8 @@ bool Exporting::writeSolids(const QString &path, const ExportKind &kind)
     if (analysis->model.sectionCount() == 0)
         return tellFailure(path, kind, Error{ErrorCode::NothingToExport, {}, {}});
     const auto written = inBackground<Result<void>>(
-        m_window, tr("Exporting %1…").arg(name), MayCancel::No,
-        [analysis, path, format = kind.format] {
-            return format->writeSolids(analysis->model, analysis->bodies, {})
+        m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path, kind] {
+            return kind.format->writeSolids(analysis->model, analysis->bodies, kind.values)
                 .and_then(
                     [&path](const std::string &solids) { return io::writeFile(path, solids); });
         });

@@ -46,22 +46,52 @@ QString saveFilter()
     return titled(io::nativeFormat(), io::nativeFormat().title);
 }
 
+namespace {
+
+/// In how many ways a format has what is cut, or the solids: as it is usual, and as each choice
+/// that has a title of its own.
+void addWays(const Format &format, std::vector<ExportKind> &kinds)
+{
+    const auto add = [&](const QString &key, const char *title, const char *titleOfSheets,
+                         const io::FormatValues &values) {
+        const auto addOne = [&](const char *how, const char *text, bool isFilePerSheet) {
+            if (*text != '\0')
+                kinds.push_back({QLatin1String(format.key) + key + QLatin1String(how),
+                                 QCoreApplication::translate("Format", text), titled(format, text),
+                                 &format, isFilePerSheet, false, values});
+        };
+        addOne("", title, false);
+        if (format.writesCutting())
+            addOne("/sheets", titleOfSheets, true);
+    };
+    add({}, format.title, format.titleOfSheets, {});
+    for (const io::FormatOption &option : format.options) {
+        double value = 0.0;
+        for (const io::FormatOption::Choice &choice : option.choices) {
+            add(u'/' + QLatin1String(choice.name), choice.title, choice.titleOfSheets,
+                {{option.name, value}});
+            ++value;
+        }
+    }
+}
+
+} // namespace
+
 std::vector<ExportKind> exportKinds()
 {
     std::vector<ExportKind> kinds;
-    const auto add = [&kinds](const Format &format, const char *title, const char *how = "") {
-        kinds.push_back({QLatin1String(format.key) + QLatin1String(how),
-                         QCoreApplication::translate("Format", title), titled(format, title),
-                         &format, title == format.titleOfSheets, title == format.titleOfSkin});
-    };
-    for (const Format *format : io::formatsThat(&Format::writesCutting)) {
-        add(*format, format->title);
-        add(*format, format->titleOfSheets, "/sheets");
-    }
+    for (const Format *format : io::formatsThat(&Format::writesCutting))
+        addWays(*format, kinds);
     for (const Format *format : io::formatsThat(&Format::writesSolids))
-        add(*format, format->title);
+        addWays(*format, kinds);
     for (const Format *format : io::formatsThat(&Format::writesSkins))
-        add(*format, format->titleOfSkin, "/skin");
+        kinds.push_back({QLatin1String(format->key) + QStringLiteral("/skin"),
+                         QCoreApplication::translate("Format", format->titleOfSkin),
+                         titled(*format, format->titleOfSkin),
+                         format,
+                         false,
+                         true,
+                         {}});
     return kinds;
 }
 

@@ -1,6 +1,8 @@
 // What file dialogs offer, from the table of formats (core/io/formats.h).
 #pragma once
 
+#include "core/io/read_options.h"
+
 #include <QString>
 
 #include <vector>
@@ -20,12 +22,13 @@ QString saveFilter();
 /// One row of what Export offers.
 struct ExportKind
 {
-    QString key;    // by which it is remembered: "svg", "svg/sheets"
+    QString key;    // by which it is remembered: "svg", "svg/sheets", "pdf/a4"
     QString title;  // "Drawings for cutters"
     QString filter; // "Drawings for cutters (*.svg)"
     const io::Format *format = nullptr;
     bool isFilePerSheet = false;
-    bool isSkin = false; // of the model, in place of its solids
+    bool isSkin = false;     // of the model, in place of its solids
+    io::FormatValues values; // of the format's options
 };
 /// Never empty; cutting files first.
 std::vector<ExportKind> exportKinds();
