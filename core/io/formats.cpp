@@ -1,5 +1,6 @@
 #include "core/io/formats.h"
 
+#include "core/io/dxf_writer.h"
 #include "core/io/fff_file.h"
 #include "core/io/flatfab_format.h"
 #include "core/io/obj_writer.h"
@@ -17,7 +18,7 @@ namespace {
 std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
-        &svgFormat(), &objFormat(), &stlFormat(), &fffFormat(), &flatfabFormat(),
+        &svgFormat(), &dxfFormat(), &objFormat(), &stlFormat(), &fffFormat(), &flatfabFormat(),
     };
     return formats;
 }

@@ -5,6 +5,8 @@ target_sources(fff_io PRIVATE
     cutting_file.cpp
     document_file.cpp
     drawing_text.cpp
+    dxf_text.cpp
+    dxf_writer.cpp
     error_text.cpp
     fff_annotations.cpp
     fff_blobs.cpp
