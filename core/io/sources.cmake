@@ -27,6 +27,7 @@ target_sources(fff_io PRIVATE
     json_keys.cpp
     json_syntax.cpp
     json_writer.cpp
+    lightburn_writer.cpp
     loaded_document.cpp
     mesh_builder.cpp
     mesh_file.cpp
