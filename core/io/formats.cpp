@@ -3,6 +3,7 @@
 #include "core/io/dxf_writer.h"
 #include "core/io/fff_file.h"
 #include "core/io/flatfab_format.h"
+#include "core/io/gcode_writer.h"
 #include "core/io/lightburn_writer.h"
 #include "core/io/obj_writer.h"
 #include "core/io/stl_writer.h"
@@ -19,8 +20,8 @@ namespace {
 std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
-        &svgFormat(), &dxfFormat(), &lightBurnFormat(), &objFormat(), &stlFormat(), &fffFormat(),
-        &flatfabFormat(),
+        &svgFormat(), &dxfFormat(), &lightBurnFormat(), &gcodeFormat(), &objFormat(), &stlFormat(),
+        &fffFormat(), &flatfabFormat(),
     };
     return formats;
 }

@@ -21,6 +21,7 @@ target_sources(fff_io PRIVATE
     flatfab_format.cpp
     flatfab_text.cpp
     formats.cpp
+    gcode_writer.cpp
     gltf_accessor.cpp
     gltf_reader.cpp
     json_cursor.cpp
