@@ -1,7 +1,7 @@
 #include "core/io/obj_writer.h"
 
-#include "core/base/groups.h"
 #include "core/fabrication/wholeness.h"
+#include "core/io/solids.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -9,7 +9,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace fff::io {
@@ -26,55 +25,6 @@ void append(std::string &out, double value)
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded + 0.0,
                                    std::chars_format::fixed);
     out.append(1, ' ').append(buffer.data(), end.ptr);
-}
-
-/// Triangles whose corners name vertices of the cap, one for each side of a point in which the
-/// outline touches itself.
-struct Cap
-{
-    std::vector<Vec2> vertices;
-    std::vector<std::array<int, 3>> triangles; // counter-clockwise
-    std::vector<std::array<int, 2>> boundary;  // edges with the material on their left
-};
-
-/// Corners of triangles are the same vertex when triangles on shared edges lead from one to the
-/// other; a point whose triangles fall into several such fans becomes several vertices.
-Cap makeCap(const Triangulation &triangulation)
-{
-    const std::size_t count = triangulation.triangles.size();
-    Groups fans(3 * count);
-    std::map<std::array<int, 2>, std::size_t> edges; // directed edge of points -> its first corner
-    for (std::size_t t = 0; t < count; ++t)
-        for (std::size_t k = 0; k < 3; ++k)
-            edges[{triangulation.triangles[t][k], triangulation.triangles[t][(k + 1) % 3]}] =
-                3 * t + k;
-    const auto following = [](std::size_t corner) {
-        return corner % 3 == 2 ? corner - 2 : corner + 1;
-    };
-    for (const auto &[edge, corner] : edges) {
-        const auto opposite = edges.find({edge[1], edge[0]});
-        if (opposite == edges.end())
-            continue;
-        fans.join(corner, following(opposite->second));
-        fans.join(following(corner), opposite->second);
-    }
-    Cap cap;
-    std::vector<int> vertexOf(3 * count, -1);
-    const auto vertex = [&](std::size_t corner) {
-        const std::size_t first = fans.firstOf(corner);
-        if (vertexOf[first] < 0) {
-            vertexOf[first] = static_cast<int>(cap.vertices.size());
-            cap.vertices.push_back(triangulation.points[static_cast<std::size_t>(
-                triangulation.triangles[corner / 3][corner % 3])]);
-        }
-        return vertexOf[first];
-    };
-    for (std::size_t t = 0; t < count; ++t)
-        cap.triangles.push_back({vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)});
-    for (const auto &[edge, corner] : edges)
-        if (!edges.contains({edge[1], edge[0]}))
-            cap.boundary.push_back({vertex(corner), vertex(following(corner))});
-    return cap;
 }
 
 class ObjText
@@ -150,12 +100,11 @@ Result<std::string> writeObj(const Model &model, const Bodies &bodies)
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Body &body = bodies[i];
         const auto section = static_cast<std::size_t>(bodies.sectionOf(static_cast<int>(i)));
-        const Triangulation &triangles = (*body.cut()->triangulations())[body.piece()];
         text.out += "# " + safeName(model.stockOf(section).name) + ',';
         append(text.out, body.thickness());
         text.out += " mm\n";
-        text.addSlab(uniqueName(model.section(section)->name, names), makeCap(triangles),
-                     body.frame(), body.thickness());
+        text.addSlab(uniqueName(model.section(section)->name, names), capOf(body), body.frame(),
+                     body.thickness());
     }
     return std::move(text.out);
 }

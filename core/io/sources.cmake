@@ -45,6 +45,7 @@ target_sources(fff_io PRIVATE
     ply_header.cpp
     ply_reader.cpp
     ply_writer.cpp
+    solids.cpp
     stacked_sheets.cpp
     stl_reader.cpp
     stl_writer.cpp
