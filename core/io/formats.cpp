@@ -8,6 +8,7 @@
 #include "core/io/obj_writer.h"
 #include "core/io/stl_writer.h"
 #include "core/io/svg_format.h"
+#include "core/io/threemf_writer.h"
 
 #include <QtCore/QFileInfo>
 
@@ -21,7 +22,7 @@ std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
         &svgFormat(), &dxfFormat(), &lightBurnFormat(), &gcodeFormat(), &objFormat(), &stlFormat(),
-        &fffFormat(), &flatfabFormat(),
+        &threeMfFormat(), &fffFormat(), &flatfabFormat(),
     };
     return formats;
 }

@@ -59,6 +59,7 @@ target_sources(fff_io PRIVATE
     svg_writer.cpp
     template_file.cpp
     threemf_reader.cpp
+    threemf_writer.cpp
     warning_summary.cpp
     xml_text.cpp
 )
