@@ -6,6 +6,7 @@
 #include "core/io/gcode_writer.h"
 #include "core/io/lightburn_writer.h"
 #include "core/io/obj_writer.h"
+#include "core/io/parts_csv.h"
 #include "core/io/stl_writer.h"
 #include "core/io/svg_format.h"
 #include "core/io/threemf_writer.h"
@@ -21,8 +22,8 @@ namespace {
 std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
-        &svgFormat(), &dxfFormat(), &lightBurnFormat(), &gcodeFormat(), &objFormat(), &stlFormat(),
-        &threeMfFormat(), &fffFormat(), &flatfabFormat(),
+        &svgFormat(), &dxfFormat(), &lightBurnFormat(), &gcodeFormat(), &partsCsvFormat(),
+        &objFormat(), &stlFormat(), &threeMfFormat(), &fffFormat(), &flatfabFormat(),
     };
     return formats;
 }

@@ -36,6 +36,7 @@ target_sources(fff_io PRIVATE
     mesh_text.cpp
     obj_mesh_reader.cpp
     obj_writer.cpp
+    parts_csv.cpp
     off_reader.cpp
     replacement.cpp
     picture_file.cpp
