@@ -7,6 +7,7 @@
 #include "core/io/lightburn_writer.h"
 #include "core/io/obj_writer.h"
 #include "core/io/parts_csv.h"
+#include "core/io/pdf_writer.h"
 #include "core/io/stl_writer.h"
 #include "core/io/svg_format.h"
 #include "core/io/threemf_writer.h"
@@ -22,8 +23,9 @@ namespace {
 std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
-        &svgFormat(), &dxfFormat(), &lightBurnFormat(), &gcodeFormat(), &partsCsvFormat(),
-        &objFormat(), &stlFormat(), &threeMfFormat(), &fffFormat(), &flatfabFormat(),
+        &svgFormat(),     &dxfFormat(),      &pdfFormat(),     &lightBurnFormat(),
+        &gcodeFormat(),   &partsCsvFormat(), &objFormat(),     &stlFormat(),
+        &threeMfFormat(), &fffFormat(),      &flatfabFormat(),
     };
     return formats;
 }

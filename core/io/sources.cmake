@@ -37,6 +37,9 @@ target_sources(fff_io PRIVATE
     obj_mesh_reader.cpp
     obj_writer.cpp
     parts_csv.cpp
+    pdf_file.cpp
+    pdf_tiles.cpp
+    pdf_writer.cpp
     off_reader.cpp
     replacement.cpp
     picture_file.cpp
