@@ -2,15 +2,19 @@
 
 #include "app/cli/info.h"
 #include "core/analysis/plan_checks.h"
+#include "core/fabrication/cutting_order.h"
 #include "core/fabrication/wholeness.h"
 #include "core/io/cutting_file.h"
+#include "core/io/error_text.h"
 #include "core/io/file_set.h"
+#include "core/io/machine_library.h"
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
 #include "core/skin/skin.h"
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -29,6 +33,14 @@ QString joined(const std::vector<std::string> &names)
     for (const std::string &name : names)
         list += QString::fromStdString(name);
     return list.join(QStringLiteral(", "));
+}
+
+QString machineKeys()
+{
+    QStringList keys;
+    for (const auto &machine : io::machineLibrary())
+        keys += QString::fromStdString(machine->key);
+    return io::enumerated(keys, tr("%1 or %2"));
 }
 
 /// What the options say of a cutting file; nothing, and `why`, when one makes no sense.
@@ -56,6 +68,16 @@ std::optional<io::CuttingFileOptions> cuttingOptions(const QCommandLineParser &p
     if (!sheets.isEmpty() && sheets != QStringLiteral("files") &&
         sheets != QStringLiteral("groups"))
         why = tr("--sheets: found \"%1\", expected groups or files.").arg(sheets);
+    if (const QString machine = parser.value(QStringLiteral("machine")); !machine.isEmpty()) {
+        const auto found = io::machineNamed(machine);
+        if (found)
+            options.machine = *found;
+        else if (found.error().code == ErrorCode::UnknownReference && found.error().place.empty())
+            why = tr("--machine: there is no machine \"%1\"; expected %2, or a .json file.")
+                      .arg(machine, machineKeys());
+        else
+            why = tr("--machine: %1").arg(io::errorText(found.error()));
+    }
     if (options.isFilePerSheet && parser.value(QStringLiteral("output")) == QStringLiteral("-"))
         why = tr("--sheets files needs a name: standard output is one file only.");
     return why.isEmpty() ? std::optional(options) : std::nullopt;
@@ -174,6 +196,31 @@ int writeSkin(const Wish &wish, const Document &document, const QString &input)
     return Done;
 }
 
+/// Whether the sheets fit the machine, and how long it takes.
+QString bedText(const Machine &machine, const CuttingDrawing &drawing)
+{
+    constexpr double kSecondsOfMinute = 60.0;
+    ToolWay way;
+    int tooLarge = 0;
+    for (const CuttingSheet &sheet : drawing.sheets) {
+        way += wayAlong(inCuttingOrder(sheet), machine);
+        const bool fits = std::min(sheet.size.x(), sheet.size.y()) <= machine.bed.minCoeff() &&
+                          std::max(sheet.size.x(), sheet.size.y()) <= machine.bed.maxCoeff();
+        tooLarge += fits ? 0 : 1;
+    }
+    const QString name = QString::fromStdString(machine.name);
+    //: %1 is a machine, %2 and %3 are numbers
+    QString text = tr("%1: %2 m of cuts, about %3 min.")
+                       .arg(name, QString::number(way.cut / 1000.0, 'f', 1))
+                       .arg(std::ceil(way.seconds / kSecondsOfMinute));
+    if (tooLarge > 0)
+        //: %1 x %2 is the size of a bed
+        text += u' ' + tr("Sheets are larger than its bed of %1 x %2 mm; choose others by --sheet.")
+                           .arg(machine.bed.x())
+                           .arg(machine.bed.y());
+    return text;
+}
+
 int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const Document &document,
                      const QString &input)
 {
@@ -200,6 +247,8 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
     if (file->slit)
         made += u' ' + slitText(*file->slit);
     printError(made);
+    if (options.machine)
+        printError(bedText(*options.machine, file->drawing));
     printNames(
         QT_TRANSLATE_NOOP("CommandLine", "Too large for the sheet, on sheets of their own: %1"),
         file->oversized);
@@ -238,10 +287,15 @@ void addOutputOptions(QCommandLineParser &parser)
                          "on (groups)."),
                       QStringLiteral("HOW")});
     parser.addOption(
+        {QStringLiteral("machine"),
+         tr("The machine that cuts, for its colours, speeds and G-code: %1; or a .json "
+            "file with one's own (generic).")
+             .arg(machineKeys()),
+         QStringLiteral("NAME")});
+    parser.addOption(
         {QStringLiteral("skin"),
          //: %1 are ends of names, such as "obj or stl"
-         tr("Writes the form that the sections suggest, as a surface (%1); of a kind of file that "
-            "holds nothing else it is what is written anyway.")
+         tr("Writes the form that the sections suggest, as a surface (%1), in place of the solids.")
              .arg(suffixes(QString(), &io::Format::writesSkins))});
     addFormatOptions(parser, io::FormatOption::Of::Writing);
 }

@@ -30,6 +30,7 @@ target_sources(fff_io PRIVATE
     json_writer.cpp
     lightburn_writer.cpp
     loaded_document.cpp
+    machine_library.cpp
     mesh_builder.cpp
     mesh_file.cpp
     mesh_formats.cpp

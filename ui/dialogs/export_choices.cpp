@@ -1,5 +1,6 @@
 #include "ui/dialogs/export_choices.h"
 
+#include "core/io/machine_library.h"
 #include "ui/settings/settings.h"
 
 namespace fff::ui {
@@ -10,6 +11,7 @@ const QString kSpacingKey = QStringLiteral("export/spacing"),
               kMarginKey = QStringLiteral("export/margin"),
               kTurnsKey = QStringLiteral("export/turnsFreely"),
               kReferenceKey = QStringLiteral("export/reference"),
+              kMachineKey = QStringLiteral("export/machine"),
               kFolderKey = QStringLiteral("export/opensFolder"),
               kFileKey = QStringLiteral("export/file");
 
@@ -34,6 +36,9 @@ CuttingOptions ExportChoices::cutting() const
     CuttingOptions options;
     options.layout = layout;
     options.hasReference = hasReference;
+    for (const auto &one : io::machineLibrary())
+        if (QString::fromStdString(one->key) == machine)
+            options.machine = one;
     return options;
 }
 
@@ -44,6 +49,7 @@ ExportChoices rememberedChoices()
     choices.layout.margin = lengthKept(kMarginKey, choices.layout.margin, kMostMargin);
     choices.layout.turnsFreely = switchKept(kTurnsKey, choices.layout.turnsFreely);
     choices.hasReference = switchKept(kReferenceKey, choices.hasReference);
+    choices.machine = settings().memory(kMachineKey).toString();
     choices.opensFolder = switchKept(kFolderKey, choices.opensFolder);
     choices.file = settings().memory(kFileKey).toString();
     return choices;
@@ -55,6 +61,7 @@ void rememberChoices(const ExportChoices &choices)
     settings().setMemory(kMarginKey, choices.layout.margin);
     settings().setMemory(kTurnsKey, choices.layout.turnsFreely);
     settings().setMemory(kReferenceKey, choices.hasReference);
+    settings().setMemory(kMachineKey, choices.machine);
     settings().setMemory(kFolderKey, choices.opensFolder);
     settings().setMemory(kFileKey, choices.file);
 }

@@ -24,6 +24,7 @@ struct ExportChoices
 {
     LayoutOptions layout; // without a sheet: that is the stock's
     bool hasReference = true;
+    QString machine; // key in the library (core/io/machine_library.h); empty: none in particular
     bool opensFolder = false; // afterwards
     QString file;             // key; empty: the first there is
 

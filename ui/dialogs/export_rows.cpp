@@ -1,11 +1,14 @@
 #include "ui/dialogs/export_rows.h"
 
+#include "core/io/machine_library.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/property_rows.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace fff::ui {
 
@@ -70,6 +73,35 @@ void ExportRows::addLength(PropertyGroup *group, const QString &name, const char
     m_rows.push_back(row);
 }
 
+/// The first of the library is what files are made for that nobody chose one for.
+PropertyRow *ExportRows::makeMachine(PropertyGroup *group)
+{
+    auto *row = new ChoiceRow(
+        tr("Machine"), "exportMachine",
+        [this] {
+            Choices choices;
+            for (const auto &machine : io::machineLibrary()) {
+                const QString key = QString::fromStdString(machine->key);
+                if (key == m_choices.machine)
+                    choices.current = static_cast<int>(choices.all.size());
+                choices.all.push_back(
+                    {choices.all.empty() ? tr("Any laser") : QString::fromStdString(machine->name),
+                     {}});
+            }
+            choices.current = std::max(choices.current, 0);
+            return choices;
+        },
+        [this](int choice) {
+            m_choices.machine =
+                QString::fromStdString(io::machineLibrary()[static_cast<std::size_t>(choice)]->key);
+            Q_EMIT layoutChanged();
+        },
+        group);
+    row->setToolTip(tr("Colours, layers, speeds and G-code as this machine and its program take "
+                       "them"));
+    return row;
+}
+
 PropertyGroup *ExportRows::makeLayout()
 {
     auto *group = new PropertyGroup(tr("Layout"), this);
@@ -101,6 +133,9 @@ PropertyGroup *ExportRows::makeLayout()
     });
     group->add(reference);
     m_rows.push_back(reference);
+    PropertyRow *machine = makeMachine(group);
+    group->add(machine);
+    m_rows.push_back(machine);
     m_ofSheets.push_back(group);
     return group;
 }
