@@ -3309,8 +3309,40 @@
         <translation>Ein Modell aus flachen Platten mit Fingerzinken an den Kanten</translation>
     </message>
     <message>
-        <source>its skin as a mesh</source>
-        <translation>seine Haut als Netz</translation>
+        <source>DXF with layers by purpose</source>
+        <translation>DXF mit Ebenen nach Zweck</translation>
+    </message>
+    <message>
+        <source>Version of a DXF file: r2000 or r12 (r2000).</source>
+        <translation>Fassung einer DXF-Datei: r2000 oder r12 (r2000).</translation>
+    </message>
+    <message>
+        <source>G-code for lasers</source>
+        <translation>G-Code für Laser</translation>
+    </message>
+    <message>
+        <source>a LightBurn project</source>
+        <translation>ein LightBurn-Projekt</translation>
+    </message>
+    <message>
+        <source>the list of parts</source>
+        <translation>die Stückliste</translation>
+    </message>
+    <message>
+        <source>PDF in true size</source>
+        <translation>PDF in Originalgröße</translation>
+    </message>
+    <message>
+        <source>Pages of a PDF file: sheet, or tiles on a4 or letter (sheet).</source>
+        <translation>Seiten einer PDF-Datei: sheet (je Platte eine), oder verteilt auf a4 oder letter (sheet).</translation>
+    </message>
+    <message>
+        <source>How parts lie in an STL or 3MF file: in-place, or flat on their sheets (in-place).</source>
+        <translation>Wie Teile in einer STL- oder 3MF-Datei liegen: in-place (an ihrem Platz) oder flat (flach auf ihren Platten) (in-place).</translation>
+    </message>
+    <message>
+        <source>the parts to print</source>
+        <translation>die Teile zum Drucken</translation>
     </message>
 </context>
 <context>
@@ -4375,6 +4407,46 @@
         <source>there is not enough memory</source>
         <translation>der Arbeitsspeicher reicht nicht</translation>
     </message>
+    <message>
+        <source>a colour such as #ff0000</source>
+        <translation>eine Farbe wie #ff0000</translation>
+    </message>
+    <message>
+        <source>a width of lines in mm</source>
+        <translation>eine Linienbreite in mm</translation>
+    </message>
+    <message>
+        <source>a speed in mm/s</source>
+        <translation>eine Geschwindigkeit in mm/s</translation>
+    </message>
+    <message>
+        <source>a line of G-code</source>
+        <translation>eine Zeile G-Code</translation>
+    </message>
+    <message>
+        <source>lines of G-code</source>
+        <translation>Zeilen G-Code</translation>
+    </message>
+    <message>
+        <source>the largest S</source>
+        <translation>das größte S</translation>
+    </message>
+    <message>
+        <source>width and height in mm</source>
+        <translation>Breite und Höhe in mm</translation>
+    </message>
+    <message>
+        <source>a share from 0 to 1</source>
+        <translation>einen Anteil von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>machines</source>
+        <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>a machine</source>
+        <translation>eine Maschine</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -4484,6 +4556,66 @@
     <message>
         <source>STL, skin as a mesh</source>
         <translation>STL, Haut als Netz</translation>
+    </message>
+    <message>
+        <source>DXF, true to size</source>
+        <translation>DXF in Originalgröße</translation>
+    </message>
+    <message>
+        <source>DXF, one for each sheet</source>
+        <translation>DXF, eine je Platte</translation>
+    </message>
+    <message>
+        <source>DXF for old programs, R12</source>
+        <translation>DXF für alte Programme, R12</translation>
+    </message>
+    <message>
+        <source>G-code for GRBL lasers</source>
+        <translation>G-Code für GRBL-Laser</translation>
+    </message>
+    <message>
+        <source>G-code, one for each sheet</source>
+        <translation>G-Code, einer je Platte</translation>
+    </message>
+    <message>
+        <source>LightBurn project</source>
+        <translation>LightBurn-Projekt</translation>
+    </message>
+    <message>
+        <source>LightBurn, one for each sheet</source>
+        <translation>LightBurn, eins je Platte</translation>
+    </message>
+    <message>
+        <source>Parts list for spreadsheets</source>
+        <translation>Stückliste für Tabellen</translation>
+    </message>
+    <message>
+        <source>PDF, a page for each sheet</source>
+        <translation>PDF, eine Seite je Platte</translation>
+    </message>
+    <message>
+        <source>PDF, tiled on A4</source>
+        <translation>PDF, auf A4 verteilt</translation>
+    </message>
+    <message>
+        <source>PDF, tiled on Letter</source>
+        <translation>PDF, auf Letter verteilt</translation>
+    </message>
+    <message>
+        <source>STL, solids in place</source>
+        <translation>STL, Körper an ihrem Platz</translation>
+    </message>
+    <message>
+        <source>STL, solids lying flat</source>
+        <translation>STL, Körper flach liegend</translation>
+    </message>
+    <message>
+        <source>3MF, solids in place</source>
+        <translation>3MF, Körper an ihrem Platz</translation>
+    </message>
+    <message>
+        <source>3MF, solids lying flat</source>
+        <translation>3MF, Körper flach liegend</translation>
     </message>
 </context>
 <context>
@@ -6191,6 +6323,17 @@
     </message>
 </context>
 <context>
+    <name>Pdf</name>
+    <message>
+        <source>%1 mm: print at 100 %</source>
+        <translation>%1 mm: mit 100 % drucken</translation>
+    </message>
+    <message>
+        <source>Sheet %1, page %2</source>
+        <translation>Platte %1, Seite %2</translation>
+    </message>
+</context>
+<context>
     <name>QDockWidget</name>
     <message>
         <source>Float</source>
@@ -7702,11 +7845,6 @@
         <translation>Stellen, die offen bleiben: %1</translation>
     </message>
     <message>
-        <source>Writes the form that the sections suggest, as a surface (%1); of a kind of file that holds nothing else it is what is written anyway.</source>
-        <extracomment>%1 are ends of names, such as &quot;obj or stl&quot;</extracomment>
-        <translation>Schreibt die Form, die die Scheiben andeuten, als Fläche (%1); in Dateien, die nichts anderes enthalten können, steht sie ohnehin.</translation>
-    </message>
-    <message>
         <source>--skin: this kind of file cannot hold it; expected %1.</source>
         <translation>--skin: solche Dateien können sie nicht enthalten; erwartet: %1.</translation>
     </message>
@@ -7727,6 +7865,35 @@
         <source>Would hold %1.</source>
         <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
         <translation>Hielte, %1.</translation>
+        <source>--%1: found &quot;%2&quot;, expected %3.</source>
+        <translation>--%1: gefunden „%2“, erwartet %3.</translation>
+    </message>
+    <message>
+        <source>--machine: there is no machine &quot;%1&quot;; expected %2, or a .json file.</source>
+        <translation>--machine: Eine Maschine „%1“ gibt es nicht; erwartet %2 oder eine .json-Datei.</translation>
+    </message>
+    <message>
+        <source>--machine: %1</source>
+        <translation>--machine: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 m of cuts, about %3 min.</source>
+        <extracomment>%1 is a machine, %2 and %3 are numbers</extracomment>
+        <translation>%1: %2 m Schnitte, etwa %3 min.</translation>
+    </message>
+    <message>
+        <source>Sheets are larger than its bed of %1 x %2 mm; choose others by --sheet.</source>
+        <extracomment>%1 x %2 is the size of a bed</extracomment>
+        <translation>Platten sind größer als ihr Bett von %1 x %2 mm; wähle andere mit --sheet.</translation>
+    </message>
+    <message>
+        <source>The machine that cuts, for its colours, speeds and G-code: %1; or a .json file with one&apos;s own (generic).</source>
+        <translation>Die Maschine, die schneidet, für ihre Farben, Geschwindigkeiten und ihren G-Code: %1; oder eine .json-Datei mit einer eigenen (generic).</translation>
+    </message>
+    <message>
+        <source>Writes the form that the sections suggest, as a surface (%1), in place of the solids.</source>
+        <extracomment>%1 are ends of names, such as &quot;obj or stl&quot;</extracomment>
+        <translation>Schreibt die Form, die die Scheiben andeuten, als Fläche (%1), an Stelle der Körper.</translation>
     </message>
 </context>
 <context>

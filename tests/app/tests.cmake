@@ -13,6 +13,12 @@ target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-c
     FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples"
     FFF_RESOURCES="${CMAKE_SOURCE_DIR}/resources")
 add_dependencies(tests_app flatfitfab-cli)
+
+# Cutting files of some samples, as other programs read them: of few and many parts, curves, marks, several sheets.
+add_test(NAME app/cutting_files COMMAND ${FFF_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/check_cutting_files.py
+    $<TARGET_FILE:flatfitfab-cli> ${CMAKE_SOURCE_DIR}/resources/samples/gears.fff
+    ${CMAKE_SOURCE_DIR}/resources/samples/owl.fff ${CMAKE_SOURCE_DIR}/resources/samples/lamp.fff)
+
 if(UNIX) # what the verbs print is caught
     fff_tests(tests_faults LIBRARIES fff_cli TESTS app/tst_cli_formats app/tst_faults)
     target_compile_definitions(tests_faults PRIVATE

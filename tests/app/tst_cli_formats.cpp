@@ -23,6 +23,7 @@ class TestCliFormats : public QObject
 private Q_SLOTS:
     void whatHelpSays();
     void anAddedFormatIsInHelp();
+    void wordsOfOptions();
     void anAddedFormatIsReadAndWritten();
     void optionsOfAnAddedFormat_data();
     void optionsOfAnAddedFormat();
@@ -39,45 +40,80 @@ private:
         return runVerb(arguments, QLatin1String(output), FaultPoint::Boolean, -1);
     }
 
+    /// Without its line ends.
+    static QString helpOfExport()
+    {
+        return QString::fromUtf8(run({u"export"_s, u"--help"_s}).out).simplified();
+    }
+
     QTemporaryDir m_folder;
 };
 
 void TestCliFormats::whatHelpSays()
 {
     const cli::Verb &verb = cli::verbNamed("export");
-    QCOMPARE(cli::usageOf(verb), QStringLiteral("export FILE -o OUT.{svg,obj,stl,fff} [options]"));
-    QCOMPARE(cli::purposeOf(verb), QStringLiteral("Cutting files, true to size; the solids in "
-                                                  "place; its skin as a mesh; or the model "
-                                                  "itself"));
+    QCOMPARE(cli::usageOf(verb), QStringLiteral("export FILE -o "
+                                                "OUT.{svg,dxf,pdf,lbrn2,gcode,csv,obj,stl,3mf,fff} "
+                                                "[options]"));
+    QCOMPARE(cli::purposeOf(verb),
+             QStringLiteral("Cutting files, true to size; DXF with layers by purpose; PDF in true "
+                            "size; a LightBurn project; G-code for lasers; the list of parts; the "
+                            "solids in place; the parts to print; or the model itself"));
     QCOMPARE(cli::usageOf(cli::verbNamed("replay")),
              QStringLiteral("replay SCRIPT.json [--from FILE] [--template TEMPLATE[@SIZE]] -o "
-                            "OUT.{fff,svg,obj,stl} [options]"));
+                            "OUT.{fff,svg,dxf,pdf,lbrn2,gcode,csv,obj,stl,3mf} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
-    const VerbRun help = run({u"export"_s, u"--help"_s});
-    QVERIFY(help.out.simplified().contains(
-        "svg, obj, stl or fff; needed if the file's name does not tell."));
-    QVERIFY(help.out.contains("Millimetres per unit of a FlatFab file (25.4)."));
+    const QString help = helpOfExport();
+    for (const char *said :
+         {"svg, dxf, pdf, lbrn2, gcode, csv, obj, stl, 3mf or fff; needed if the file's name does "
+          "not tell.",
+          "Millimetres per unit of a FlatFab file (25.4).", "--dxf <VERSION>", "--paper <PAPER>",
+          "--parts <HOW>", "--machine <NAME>", "generic, trotec"})
+        QVERIFY2(help.contains(QLatin1String(said)), said);
 }
 
 void TestCliFormats::anAddedFormatIsInHelp()
 {
     const io::AddedFormat added(addedFormat());
     const cli::Verb &verb = cli::verbNamed("export");
-    QCOMPARE(cli::usageOf(verb),
-             QStringLiteral("export FILE -o OUT.{svg,obj,stl,fff,knots} [options]"));
-    QCOMPARE(cli::purposeOf(verb),
-             QStringLiteral("Cutting files, true to size; the solids in place; its skin as a "
-                            "mesh; the model itself; or knots to tie"));
+    QVERIFY(cli::usageOf(verb).endsWith(QStringLiteral(",3mf,fff,knots} [options]")));
+    QVERIFY(cli::purposeOf(verb).endsWith(QStringLiteral("the model itself; or knots to tie")));
     QCOMPARE(cli::modelFiles(),
              QStringLiteral("a .fff file, a FlatFab .txt file or a Knots .knots file"));
-    const VerbRun help = run({u"export"_s, u"--help"_s});
-    QVERIFY(help.out.contains("--knots-in-a-row <COUNT>"));
-    QVERIFY(help.out.contains("Knots in a row (7)."));
+    const QString help = helpOfExport();
+    QVERIFY(help.contains(u"--knots-in-a-row <COUNT>"_s));
+    QVERIFY(help.contains(u"Knots in a row (7)."_s));
     const VerbRun wrong = run({u"export"_s, put("a.fff", "knots 2")}, "a.xyz");
     QCOMPARE(wrong.status, int(cli::WrongUse));
-    QVERIFY(
-        wrong.err.contains("a.xyz: this kind of file cannot be written; expected .svg, .obj, .stl, "
-                           ".fff or .knots."));
+    QVERIFY(wrong.err.contains("a.xyz: this kind of file cannot be written; expected .svg, .dxf, "
+                               ".pdf, .lbrn2, .gcode, .csv, .obj, .stl, .3mf, .fff or .knots."));
+}
+
+// A word of an option, whatever the case; others are refused with what there is.
+void TestCliFormats::wordsOfOptions()
+{
+    Document document = newDocument();
+    NewSection section;
+    section.shape = *Shape::make(*Contour::fromPolygon({{0, 0}, {50, 0}, {50, 40}, {0, 40}}));
+    const QString model = m_folder.filePath(QStringLiteral("plate.fff"));
+    QVERIFY(io::writeDocument(model, *addSection(document, section)));
+    const auto written = [&](const QStringList &options) {
+        return run(QStringList{u"export"_s, model} + options, "plate.dxf");
+    };
+    QVERIFY(written({}).file.contains("AC1015"));
+    QVERIFY(written({u"--dxf"_s, u"R12"_s}).file.contains("AC1009"));
+    const VerbRun wrong = written({u"--dxf"_s, u"r13"_s});
+    QCOMPARE(wrong.status, int(cli::WrongUse));
+    QVERIFY(wrong.err.contains("--dxf: found \"r13\", expected r2000 or r12."));
+    QVERIFY(!wrong.hasWritten());
+    const VerbRun machine = written({u"--machine"_s, u"K40"_s});
+    QVERIFY2(
+        machine.err.contains("K40 with MeerK40t: 0.2 m of cuts, about 1 min. Sheets are larger "
+                             "than its bed of 300 x 200 mm; choose others by --sheet."),
+        machine.err.constData());
+    const VerbRun none = written({u"--machine"_s, u"k41"_s});
+    QCOMPARE(none.status, int(cli::WrongUse));
+    QVERIFY(none.err.contains("--machine: there is no machine \"k41\"; expected generic, trotec"));
 }
 
 void TestCliFormats::anAddedFormatIsReadAndWritten()

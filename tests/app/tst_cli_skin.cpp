@@ -50,8 +50,7 @@ void TestCliSkin::aBall_data()
 {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QStringList>("options");
-    QTest::newRow("for printers") << u"ball.stl"_s << QStringList();
-    QTest::newRow("for printers, said twice") << u"ball.stl"_s << QStringList{u"--skin"_s};
+    QTest::newRow("for printers") << u"ball.stl"_s << QStringList{u"--skin"_s};
     QTest::newRow("for other programs") << u"ball.obj"_s << QStringList{u"--skin"_s};
 }
 
@@ -94,7 +93,7 @@ void TestCliSkin::solidsStaySolids()
 void TestCliSkin::nothingToMake()
 {
     const QString model = put(u"one.fff"_s, {disc(50.0, Vec3::UnitZ(), 0.0)});
-    const Run told = run({u"export"_s, model, u"-o"_s, path(u"none.stl"_s)}, false);
+    const Run told = run({u"export"_s, model, u"--skin"_s, u"-o"_s, path(u"none.stl"_s)}, false);
     QCOMPARE(told.status, 2);
     QCOMPARE(told.err, model.toUtf8() + ": no contours cross each other at their edges, so there "
                                         "is no skin\n");

@@ -1,5 +1,6 @@
 fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_broken_meshes
+    core/io/tst_cutting_formats
     core/io/tst_document_file
     core/io/tst_error_text
     core/io/tst_fff_file
@@ -10,6 +11,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_flatfab_models
     core/io/tst_formats
     core/io/tst_json_writer
+    core/io/tst_machine_library
     core/io/tst_mesh_readers
     core/io/tst_obj_writer
     core/io/tst_svg_reader

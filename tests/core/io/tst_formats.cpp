@@ -52,8 +52,10 @@ void TestFormats::whatThereIs()
 {
     QCOMPARE(keysOf(&Format::readsModels), QStringLiteral("fff flatfab"));
     QCOMPARE(keysOf(&Format::readsDrawings), QStringLiteral("svg"));
-    QCOMPARE(keysOf(&Format::isWritten), QStringLiteral("svg obj stl fff"));
-    QCOMPARE(keysOf(&Format::isExported), QStringLiteral("svg obj stl"));
+    QCOMPARE(keysOf(&Format::isWritten),
+             QStringLiteral("svg dxf pdf lbrn2 gcode csv obj stl 3mf fff"));
+    QCOMPARE(keysOf(&Format::isExported),
+             QStringLiteral("svg dxf pdf lbrn2 gcode csv obj stl 3mf"));
     QCOMPARE(io::patternsRead(&Format::readsModels), QStringLiteral("*.fff *.txt"));
     QCOMPARE(io::patternsRead(&Format::readsDrawings), QStringLiteral("*.svg *.svgz"));
     QCOMPARE(QString(QLatin1String(io::nativeFormat().key)), QStringLiteral("fff"));
@@ -81,9 +83,12 @@ void TestFormats::eachSaysAllThatIsAskedOfIt()
     for (const Format *format : io::formats()) {
         QVERIFY(*format->key && !format->suffixes.empty());
         QVERIFY2(format->recognises || !(format->readModel || format->readDrawing), format->key);
-        const bool isNamed = *format->title != '\0' || *format->titleOfSkin != '\0';
-        QVERIFY2(isNamed || !format->isWritten(), format->key);
-        QVERIFY2(*format->titleOfSheets != '\0' || !format->writesCutting(), format->key);
+        QVERIFY2(*format->title != '\0' || !format->isWritten(), format->key);
+        QVERIFY2(*format->titleOfSkin != '\0' || !format->writesSkins(), format->key);
+        for (const io::FormatOption &option : format->options)
+            QVERIFY2(*option.name && *option.help &&
+                         (option.choices.size() > 1 || option.least < option.most),
+                     format->key);
         QVERIFY2(*format->help != '\0' || !format->isWritten(), format->key);
     }
 }
@@ -98,7 +103,8 @@ void TestFormats::anAddedFormatIsKnown()
                                                       ".txt file of FlatFab or a .knots file of "
                                                       "Knots"));
         QCOMPARE(io::patternsRead(&Format::readsModels), QStringLiteral("*.fff *.txt *.knots"));
-        QCOMPARE(keysOf(&Format::isExported), QStringLiteral("svg obj stl knots"));
+        QCOMPARE(keysOf(&Format::isExported),
+                 QStringLiteral("svg dxf pdf lbrn2 gcode csv obj stl 3mf knots"));
         QVERIFY2(QLatin1String(io::nativeFormat().key) == QLatin1String("fff"), "Save stays");
     }
     QCOMPARE(io::errorText(error), before);
