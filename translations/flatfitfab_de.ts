@@ -3344,6 +3344,14 @@
         <source>the parts to print</source>
         <translation>die Teile zum Drucken</translation>
     </message>
+    <message>
+        <source>a picture of the sheets</source>
+        <translation>ein Bild der Platten</translation>
+    </message>
+    <message>
+        <source>all for a workshop</source>
+        <translation>alles für eine Werkstatt</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -4616,6 +4624,18 @@
     <message>
         <source>3MF, solids lying flat</source>
         <translation>3MF, Körper flach liegend</translation>
+    </message>
+    <message>
+        <source>Picture of the sheets</source>
+        <translation>Bild der Platten</translation>
+    </message>
+    <message>
+        <source>Pictures, one for each sheet</source>
+        <translation>Bilder, eins je Platte</translation>
+    </message>
+    <message>
+        <source>All for the workshop, packed</source>
+        <translation>Alles für die Werkstatt, gepackt</translation>
     </message>
 </context>
 <context>
@@ -8855,6 +8875,18 @@
     <message>
         <source>Drawn beside the sheets, not cut: measure it on your machine to check the size</source>
         <translation>Neben die Platten gezeichnet, nicht geschnitten: An der Maschine nachmessen, um der Größe sicher zu sein</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Irgendein Laser</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
+        <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen</translation>
     </message>
 </context>
 <context>

@@ -8,9 +8,11 @@
 #include "core/io/obj_writer.h"
 #include "core/io/parts_csv.h"
 #include "core/io/pdf_writer.h"
+#include "core/io/png_writer.h"
 #include "core/io/stl_writer.h"
 #include "core/io/svg_format.h"
 #include "core/io/threemf_writer.h"
+#include "core/io/workshop_archive.h"
 
 #include <QtCore/QFileInfo>
 
@@ -23,9 +25,9 @@ namespace {
 std::vector<const Format *> &table()
 {
     static std::vector<const Format *> formats = {
-        &svgFormat(),     &dxfFormat(),      &pdfFormat(),     &lightBurnFormat(),
-        &gcodeFormat(),   &partsCsvFormat(), &objFormat(),     &stlFormat(),
-        &threeMfFormat(), &fffFormat(),      &flatfabFormat(),
+        &svgFormat(),      &dxfFormat(), &pdfFormat(),      &lightBurnFormat(), &gcodeFormat(),
+        &partsCsvFormat(), &pngFormat(), &workshopFormat(), &objFormat(),       &stlFormat(),
+        &threeMfFormat(),  &fffFormat(), &flatfabFormat(),
     };
     return formats;
 }

@@ -50,6 +50,7 @@ target_sources(fff_io PRIVATE
     ply_header.cpp
     ply_reader.cpp
     ply_writer.cpp
+    png_writer.cpp
     solids.cpp
     stacked_sheets.cpp
     stl_reader.cpp
@@ -66,5 +67,6 @@ target_sources(fff_io PRIVATE
     threemf_reader.cpp
     threemf_writer.cpp
     warning_summary.cpp
+    workshop_archive.cpp
     xml_text.cpp
 )

@@ -52,20 +52,23 @@ private:
 void TestCliFormats::whatHelpSays()
 {
     const cli::Verb &verb = cli::verbNamed("export");
-    QCOMPARE(cli::usageOf(verb), QStringLiteral("export FILE -o "
-                                                "OUT.{svg,dxf,pdf,lbrn2,gcode,csv,obj,stl,3mf,fff} "
-                                                "[options]"));
+    QCOMPARE(cli::usageOf(verb),
+             QStringLiteral("export FILE -o "
+                            "OUT.{svg,dxf,pdf,lbrn2,gcode,csv,png,zip,obj,stl,3mf,fff} "
+                            "[options]"));
     QCOMPARE(cli::purposeOf(verb),
              QStringLiteral("Cutting files, true to size; DXF with layers by purpose; PDF in true "
-                            "size; a LightBurn project; G-code for lasers; the list of parts; the "
-                            "solids in place; the parts to print; or the model itself"));
+                            "size; a LightBurn project; G-code for lasers; the list of parts; a "
+                            "picture of the sheets; all for a workshop; the solids in place; the "
+                            "parts to print; or the model itself"));
     QCOMPARE(cli::usageOf(cli::verbNamed("replay")),
              QStringLiteral("replay SCRIPT.json [--from FILE] [--template TEMPLATE[@SIZE]] -o "
-                            "OUT.{fff,svg,dxf,pdf,lbrn2,gcode,csv,obj,stl,3mf} [options]"));
+                            "OUT.{fff,svg,dxf,pdf,lbrn2,gcode,csv,png,zip,obj,stl,3mf} [options]"));
     QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
     const QString help = helpOfExport();
     for (const char *said :
-         {"svg, dxf, pdf, lbrn2, gcode, csv, obj, stl, 3mf or fff; needed if the file's name does "
+         {"svg, dxf, pdf, lbrn2, gcode, csv, png, zip, obj, stl, 3mf or fff; needed if the file's "
+          "name does "
           "not tell.",
           "Millimetres per unit of a FlatFab file (25.4).", "--dxf <VERSION>", "--paper <PAPER>",
           "--parts <HOW>", "--machine <NAME>", "generic, trotec"})
@@ -85,8 +88,9 @@ void TestCliFormats::anAddedFormatIsInHelp()
     QVERIFY(help.contains(u"Knots in a row (7)."_s));
     const VerbRun wrong = run({u"export"_s, put("a.fff", "knots 2")}, "a.xyz");
     QCOMPARE(wrong.status, int(cli::WrongUse));
-    QVERIFY(wrong.err.contains("a.xyz: this kind of file cannot be written; expected .svg, .dxf, "
-                               ".pdf, .lbrn2, .gcode, .csv, .obj, .stl, .3mf, .fff or .knots."));
+    QVERIFY(wrong.err.contains(
+        "a.xyz: this kind of file cannot be written; expected .svg, .dxf, "
+        ".pdf, .lbrn2, .gcode, .csv, .png, .zip, .obj, .stl, .3mf, .fff or .knots."));
 }
 
 // A word of an option, whatever the case; others are refused with what there is.

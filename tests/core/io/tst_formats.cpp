@@ -53,9 +53,9 @@ void TestFormats::whatThereIs()
     QCOMPARE(keysOf(&Format::readsModels), QStringLiteral("fff flatfab"));
     QCOMPARE(keysOf(&Format::readsDrawings), QStringLiteral("svg"));
     QCOMPARE(keysOf(&Format::isWritten),
-             QStringLiteral("svg dxf pdf lbrn2 gcode csv obj stl 3mf fff"));
+             QStringLiteral("svg dxf pdf lbrn2 gcode csv png zip obj stl 3mf fff"));
     QCOMPARE(keysOf(&Format::isExported),
-             QStringLiteral("svg dxf pdf lbrn2 gcode csv obj stl 3mf"));
+             QStringLiteral("svg dxf pdf lbrn2 gcode csv png zip obj stl 3mf"));
     QCOMPARE(io::patternsRead(&Format::readsModels), QStringLiteral("*.fff *.txt"));
     QCOMPARE(io::patternsRead(&Format::readsDrawings), QStringLiteral("*.svg *.svgz"));
     QCOMPARE(QString(QLatin1String(io::nativeFormat().key)), QStringLiteral("fff"));
@@ -104,7 +104,7 @@ void TestFormats::anAddedFormatIsKnown()
                                                       "Knots"));
         QCOMPARE(io::patternsRead(&Format::readsModels), QStringLiteral("*.fff *.txt *.knots"));
         QCOMPARE(keysOf(&Format::isExported),
-                 QStringLiteral("svg dxf pdf lbrn2 gcode csv obj stl 3mf knots"));
+                 QStringLiteral("svg dxf pdf lbrn2 gcode csv png zip obj stl 3mf knots"));
         QVERIFY2(QLatin1String(io::nativeFormat().key) == QLatin1String("fff"), "Save stays");
     }
     QCOMPARE(io::errorText(error), before);

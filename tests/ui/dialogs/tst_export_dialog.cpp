@@ -231,10 +231,15 @@ void TestExportDialog::choicesAreKept()
         rotation->setFocus();
         QTest::keyClick(rotation, Qt::Key_End);
         dialog->findChild<QCheckBox *>(QStringLiteral("exportReference"))->click();
+        auto *machine = dialog->findChild<QComboBox *>(QStringLiteral("exportMachine"));
+        machine->setFocus();
+        QTest::keyClick(machine, Qt::Key_End);
         nameTheFile(file("a.svg"));
         QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
     });
     QVERIFY(written("a.svg").find("reference-100mm") == std::string::npos);
+    QVERIFY2(written("a.svg").find("<path stroke=\"#00ffff\"") != std::string::npos,
+             "numbers in the colour of LightBurn's program");
     Settings::setFile(file("settings.ini")); // as at the next start
     inExportPanel(*m_window, [&](QDialog *dialog) {
         const auto value = [dialog](const char *name) {
@@ -245,6 +250,8 @@ void TestExportDialog::choicesAreKept()
         QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportRotation"))->currentIndex(),
                  1);
         QVERIFY(!dialog->findChild<QCheckBox *>(QStringLiteral("exportReference"))->isChecked());
+        QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportMachine"))->currentText(),
+                 QStringLiteral("Atomstack S40 Max"));
         QCOMPARE(dialog->findChild<SheetView *>()->content().margin, 12.0);
         // What is given up is not kept.
         typeInto(dialog, "exportSpacing", QStringLiteral("9"));

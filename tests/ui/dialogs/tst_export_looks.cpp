@@ -231,10 +231,11 @@ void TestExportLooks::allOfItIsReachedByTab()
                 reached += at->objectName();
         }
         for (const char *name :
-             {"exportMeasure", "exportThickness", "exportSheet", "exportSheetWidth",
-              "exportSheetHeight", "exportFile", "exportKerf", "exportClearance", "exportSpacing",
-              "exportMargin", "exportRotation", "exportReference", "exportTabs", "exportNextSheet",
-              "sheetView", "exportRemarks", "exportOpensFolder", "exportCancel", "exportNow"})
+             {"exportMeasure",     "exportThickness",   "exportSheet",     "exportSheetWidth",
+              "exportSheetHeight", "exportFile",        "exportKerf",      "exportClearance",
+              "exportSpacing",     "exportMargin",      "exportRotation",  "exportReference",
+              "exportMachine",     "exportTabs",        "exportNextSheet", "sheetView",
+              "exportRemarks",     "exportOpensFolder", "exportCancel",    "exportNow"})
             QVERIFY2(reached.contains(QLatin1String(name)), name);
     });
 }

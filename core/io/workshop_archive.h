@@ -1,0 +1,19 @@
+// All that a workshop may ask for, in one file.
+#pragma once
+
+#include "core/fabrication/cutting_drawing.h"
+#include "core/io/formats.h"
+
+#include <string>
+
+namespace fff::io {
+
+/// A ZIP with the sheets as every format of cutting files has them (formats.h) but pictures and
+/// this one, under "sheets.SUFFIX", also in the ways that have titles of their own
+/// ("sheets-a4.pdf"), and the list of parts as "parts.csv". Same bytes for same input.
+/// Errors  those of the formats; BadCount for more than a packed file holds.
+Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing);
+
+const Format &workshopFormat();
+
+} // namespace fff::io
