@@ -25,4 +25,10 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
     return file;
 }
 
+Result<CuttingFile> makeCuttingFile(const Analysis &analysis)
+{
+    const CuttingFileOptions usual;
+    return makeCuttingFile(analysis, usual);
+}
+
 } // namespace fff::io

@@ -22,7 +22,8 @@ struct CuttingFile : Cutting
 };
 
 /// Errors  as makeCutting(), and those of the format.
-Result<CuttingFile> makeCuttingFile(const Analysis &analysis,
-                                    const CuttingFileOptions &options = {});
+Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileOptions &options);
+/// As is usual.
+Result<CuttingFile> makeCuttingFile(const Analysis &analysis);
 
 } // namespace fff::io

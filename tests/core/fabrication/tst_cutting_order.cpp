@@ -188,7 +188,7 @@ void TestCuttingOrder::noLineTwice()
 // Each next line is looked for in a tree: among all, this would be the test that never ends.
 void TestCuttingOrder::manyPartsTakeLittleTime()
 {
-    constexpr int kCount = 20000;
+    constexpr int kCount = 5000;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> anywhere(0.0, 9000.0);
     std::vector<Part> parts;
