@@ -19,7 +19,7 @@ from collections import Counter
 
 import ezdxf
 
-CHORDS = 200  # of a curve
+CHORDS = 80  # of a curve
 CURVE_ERROR = 0.0101  # mm, of arcs
 LENGTH_ERROR = 2e-4  # share
 ENGRAVED, SCORED, CUT = "engraved", "scored", "cut"
