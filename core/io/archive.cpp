@@ -370,7 +370,7 @@ bool add(zipFile zip, const PackedEntry &entry)
 
 std::string placeOfEntry(const std::string &archive, const std::string &entry)
 {
-    return placeIn(archive, entry.empty() ? "\"\"" : quoted(entry));
+    return placeIn(archive, entry.empty() ? "\"\"" : io::quoted(entry));
 }
 
 bool isArchive(std::string_view bytes)

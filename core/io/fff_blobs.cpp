@@ -62,7 +62,7 @@ std::vector<BlobPointer> readBlobs(const JsonCursor &cursor, const BlobSource &s
         Result<BlobBytes> bytes = bytesFrom(source, blob.sha256);
         if (!bytes) {
             problems.warn(WarningCode::MissingBlob, item.path(),
-                          {quoted(blob.name.empty() ? blob.sha256 : blob.name),
+                          {io::quoted(blob.name.empty() ? blob.sha256 : blob.name),
                            bytes.error().args.empty() ? std::string() : bytes.error().args[0]});
             continue;
         }

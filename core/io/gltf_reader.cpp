@@ -53,7 +53,7 @@ public:
         m_builder.draft.unit = kGltfMetre;
         for (const JsonCursor &extension : listOf(m_root, "extensionsRequired"))
             if (const std::string name = extension.text(); !isKnownExtension(name))
-                extension.fail(ErrorCode::Unsupported, {quoted(name)});
+                extension.fail(ErrorCode::Unsupported, {io::quoted(name)});
         m_nodes = listOf(m_root, "nodes");
         m_meshes = listOf(m_root, "meshes");
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();

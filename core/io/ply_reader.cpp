@@ -153,7 +153,7 @@ private:
                    : element.count > m_source.left() / least + 1) {
             m_builder.fail(ErrorCode::BadCount, m_source.where(),
                            {std::to_string(element.count), std::to_string(m_source.left() / least),
-                            quoted(element.name)});
+                            io::quoted(element.name)});
             return;
         }
         forEach(element, [&] {
