@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-CORE = ["base", "geometry", "model", "templates", "assembly", "operations", "physics", "fabrication", "skin", "analysis", "stroke",
+CORE = ["base", "geometry", "nesting", "model", "templates", "assembly", "operations", "physics", "fabrication", "skin", "analysis", "stroke",
         "interaction", "io", "session"]
 UI = ["view", "settings", "base", "bench", "actions", "properties", "cards", "docks", "dialogs", "files", "start", "steps",
       "window"]

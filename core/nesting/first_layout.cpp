@@ -1,0 +1,184 @@
+#include "core/nesting/first_layout.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace fff::nesting {
+
+namespace {
+
+/// Rows for a few pieces and for many.
+constexpr int kMostRows = 48, kLeastRows = 12;
+constexpr int kRowsForAll = 6000; // rows of all pieces together
+/// A sheet without room for a piece is asked again for one with less than this of its area.
+constexpr double kSmaller = 0.8;
+
+struct OpenSheet
+{
+    int kind = 0;
+    std::unique_ptr<Board> board;
+    std::vector<int> pieces;
+    double refused = std::numeric_limits<double>::infinity(); // area of what had no room
+};
+
+class Filler
+{
+public:
+    Filler(const Prepared &prepared, std::size_t expected, Steps &steps)
+        : m_prepared(prepared), m_expected(expected), m_steps(steps)
+    {
+        m_meter.limit = std::numeric_limits<Steps>::max();
+        m_filling.rows =
+            std::clamp(kRowsForAll / static_cast<int>(std::max<std::size_t>(1, expected)),
+                       kLeastRows, kMostRows);
+        for (const Prepared::Sheet &sheet : prepared.sheets)
+            m_unused.push_back(sheet.count);
+    }
+
+    void put(int piece)
+    {
+        const Shape &shape = m_prepared.shapes[static_cast<std::size_t>(piece)];
+        const double area = fff::area(shape.outline);
+        for (OpenSheet &sheet : m_open) {
+            if (area > kSmaller * sheet.refused)
+                continue;
+            if (putOn(sheet, piece))
+                return;
+            sheet.refused = area;
+        }
+        if (!putOnNew(piece))
+            m_left.push_back(piece);
+    }
+
+    Laid take()
+    {
+        Laid laid;
+        laid.left = std::move(m_left);
+        for (OpenSheet &sheet : m_open) {
+            laid.sheets.push_back({sheet.kind, std::move(sheet.pieces), {}});
+            for (std::size_t item = 0; item < sheet.board->count(); ++item)
+                laid.sheets.back().poses.push_back(sheet.board->pose(item));
+        }
+        m_steps += m_meter.used;
+        return laid;
+    }
+
+private:
+    bool putOn(OpenSheet &sheet, int piece)
+    {
+        const auto index = static_cast<std::size_t>(piece);
+        const auto pose = leftmost(*sheet.board, m_prepared.shapes[index], 0, m_filling, m_meter);
+        if (!pose)
+            return false;
+        sheet.board->add(index, *pose);
+        sheet.pieces.push_back(piece);
+        return true;
+    }
+
+    bool putOnNew(int piece)
+    {
+        for (std::size_t kind = 0; kind < m_unused.size(); ++kind) {
+            const Prepared::Sheet &sheet = m_prepared.sheets[kind];
+            if (m_unused[kind] == 0 || sheet.box.isEmpty())
+                continue;
+            OpenSheet open;
+            open.kind = static_cast<int>(kind);
+            open.board =
+                std::make_unique<Board>(m_prepared.shapes, std::vector{sheet.box}, m_expected);
+            m_open.push_back(std::move(open));
+            for (const Shape &obstacle : sheet.obstacles)
+                m_open.back().board->addObstacle(obstacle, Vec2::Zero());
+            if (putOn(m_open.back(), piece)) {
+                m_unused[kind] -= m_unused[kind] > 0 ? 1 : 0;
+                return true;
+            }
+            m_open.pop_back();
+        }
+        return false;
+    }
+
+    const Prepared &m_prepared;
+    std::size_t m_expected;
+    Steps &m_steps;
+    Meter m_meter;
+    Filling m_filling;
+    std::vector<int> m_unused; // sheets of each kind; less than 0: any number
+    std::vector<OpenSheet> m_open;
+    std::vector<int> m_left;
+};
+
+enum class Order { Area, Length, Width };
+
+std::vector<int> ordered(const Prepared &prepared, const Problem &problem, Order by)
+{
+    const auto size = [&](int piece) {
+        const Shape &shape = prepared.shapes[static_cast<std::size_t>(piece)];
+        switch (by) {
+        case Order::Area:
+            return fff::area(shape.outline);
+        case Order::Length:
+            return shape.diameter;
+        case Order::Width:
+            return shape.least;
+        }
+        return 0.0; // not reached: every order is above
+    };
+    std::vector<int> pieces;
+    for (std::size_t i = 0; i < problem.pieces.size(); ++i)
+        for (int copy = 0; copy < problem.pieces[i].demand; ++copy)
+            pieces.push_back(static_cast<int>(i));
+    std::stable_sort(pieces.begin(), pieces.end(), [&](int a, int b) { return size(a) > size(b); });
+    return pieces;
+}
+
+} // namespace
+
+std::size_t Laid::count() const
+{
+    std::size_t count = 0;
+    for (const Sheet &sheet : sheets)
+        count += sheet.pieces.size();
+    return count;
+}
+
+double usedLength(const Prepared &prepared, const Laid &laid)
+{
+    if (laid.sheets.empty())
+        return 0.0;
+    const Laid::Sheet &sheet = laid.sheets.back();
+    const double left = prepared.sheets[static_cast<std::size_t>(sheet.kind)].box.min.x();
+    double right = left;
+    for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+        const Shape &shape = prepared.shapes[static_cast<std::size_t>(sheet.pieces[i])];
+        const Pose &pose = sheet.poses[i];
+        right = std::max(right, pose.at.x() +
+                                    shape.turns[static_cast<std::size_t>(pose.turn)].box.max.x());
+    }
+    return right - left;
+}
+
+Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
+{
+    constexpr std::size_t kFew = 400; // pieces for which several orders are tried
+    Laid best;
+    bool isFirst = true;
+    for (const Order order : {Order::Area, Order::Length, Order::Width}) {
+        const std::vector<int> pieces = ordered(prepared, problem, order);
+        if (!isFirst && pieces.size() > kFew)
+            break;
+        Filler filler(prepared, pieces.size(), steps);
+        for (const int piece : pieces)
+            filler.put(piece);
+        Laid laid = filler.take();
+        const auto key = [&](const Laid &of) {
+            return std::tuple(of.left.size(), of.sheets.size(), usedLength(prepared, of));
+        };
+        if (isFirst || key(laid) < key(best))
+            best = std::move(laid);
+        isFirst = false;
+    }
+    return best;
+}
+
+} // namespace fff::nesting

@@ -1,0 +1,57 @@
+#include "core/nesting/shape.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/convex_hull.h"
+#include "core/geometry/turning.h"
+#include "core/nesting/poles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::nesting {
+
+void Shape::addPoles()
+{
+    if (!poles.empty())
+        return;
+    poles = polesOf(outline);
+    for (Posed &posed : turns)
+        pose(outline, poles, Vec2(posed.turn), posed);
+}
+
+Shape shapeOf(Region outline, const std::vector<Vec2> &turns, bool turnsFreely, double area)
+{
+    Shape shape;
+    shape.outline = std::move(outline);
+    shape.turnsFreely = turnsFreely;
+    shape.area = area;
+    shape.turns.resize(turns.size());
+    for (std::size_t i = 0; i < turns.size(); ++i)
+        pose(shape.outline, {}, turns[i], shape.turns[i]);
+    const Vec2 size = bounds(shape.outline.outer).size();
+    shape.diameter = size.norm();
+    shape.least = size.minCoeff();
+    shape.weight = std::sqrt(std::sqrt(signedArea(convexHull(shape.outline.outer))));
+    return shape;
+}
+
+std::vector<Vec2> goodTurns(const Polygon &outline)
+{
+    std::vector<Vec2> turns;
+    const auto add = [&turns](Vec2 turn) {
+        for (int quarter = 0; quarter < 4; ++quarter, turn = perpendicular(turn)) {
+            const auto isSame = [&turn](const Vec2 &other) {
+                return (turn - other).norm() < kSameDirection;
+            };
+            if (std::none_of(turns.begin(), turns.end(), isSame))
+                turns.push_back(turn);
+        }
+    };
+    add(Vec2::UnitX());
+    const Turns good = findTurns(convexHull(outline));
+    add(good.smallest);
+    add(good.lowest);
+    return turns;
+}
+
+} // namespace fff::nesting

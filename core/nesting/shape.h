@@ -1,0 +1,32 @@
+// A piece as the search sees it: its grown outline at each of its turns. Internal to nesting.
+#pragma once
+
+#include "core/nesting/posed.h"
+#include "core/nesting/problem.h"
+
+namespace fff::nesting {
+
+struct Shape
+{
+    Region outline; // grown
+    std::vector<Pole> poles;
+    std::vector<Posed> turns; // that are allowed, or with which to begin
+    bool turnsFreely = false;
+    double area = 0.0;     // of the piece itself
+    double diameter = 0.0; // of the outline's box as drawn
+    double least = 0.0;    // lesser side of that box
+    double weight = 0.0;   // of what it overlaps: fourth root of the area of its hull
+
+    /// Only what construction needs is worked out at first: discs when they are asked for.
+    void addPoles();
+};
+
+/// outline  grown
+/// turns    at least one
+Shape shapeOf(Region outline, const std::vector<Vec2> &turns, bool turnsFreely, double area);
+
+/// Turns to begin with of what turns freely: as drawn, with the smallest box and the lowest one,
+/// and quarter turns of these.
+std::vector<Vec2> goodTurns(const Polygon &outline);
+
+} // namespace fff::nesting
