@@ -58,6 +58,12 @@ constexpr std::array kVerbs = {
     Verb{"facets", "MESH -o OUT.fff [--faces N] [--size MM] [--stock NAME] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A model of flat sheets with fingers along their edges"),
          runFacets},
+    Verb{"nest",
+         "FILE [--json] [--seconds S] [--seed N] [--rotations none|180|90|free] [--margin MM] "
+         "[--spacing MM] [options]",
+         QT_TRANSLATE_NOOP("CommandLine",
+                           "Parts close together on sheets, or the items of a strip (.json)"),
+         runNest},
     Verb{"replay", "SCRIPT.json [--from FILE] [--template TEMPLATE[@SIZE]] -o OUT.{%1} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Plays a script of what a person does in the window"),
          runReplay, true},

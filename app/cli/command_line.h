@@ -44,6 +44,7 @@ int runCut(const QStringList &arguments);
 int runSuggest(const QStringList &arguments);
 int runSlices(const QStringList &arguments);
 int runFacets(const QStringList &arguments);
+int runNest(const QStringList &arguments);
 int runReplay(const QStringList &arguments);
 
 /// The arguments of one verb: options from `parser`, and exactly `files` file names in front of or

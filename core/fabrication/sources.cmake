@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     fabrication/machine.cpp
     fabrication/marked_lines.cpp
     fabrication/marks.cpp
+    fabrication/nested_layout.cpp
     fabrication/open_sheets.cpp
     fabrication/outline_size.cpp
     fabrication/part_list.cpp

@@ -35,6 +35,7 @@ target_sources(fff_io PRIVATE
     mesh_file.cpp
     mesh_formats.cpp
     mesh_text.cpp
+    nesting_instance.cpp
     obj_mesh_reader.cpp
     obj_writer.cpp
     parts_csv.cpp

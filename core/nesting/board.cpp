@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -80,7 +80,7 @@ void Board::place(std::size_t item, const Pose &pose)
         if (!placed.own)
             placed.own = std::make_unique<Posed>();
         if (placed.own->edges.empty() || placed.own->turn != pose.direction)
-            fff::nesting::pose(placed.shape->outline, placed.shape->poles, pose.direction,
+            fff::nest::pose(placed.shape->outline, placed.shape->poles, pose.direction,
                                *placed.own);
         placed.posed = placed.own.get();
     } else {
@@ -131,4 +131,4 @@ void Board::leave(std::size_t item)
         }
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

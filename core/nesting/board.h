@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// Where a shape lies: its turn, and by how much it is moved.
 struct Pose
@@ -108,4 +108,4 @@ private:
     mutable std::uint32_t m_query = 0;
 };
 
-} // namespace fff::nesting
+} // namespace fff::nest

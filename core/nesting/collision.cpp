@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -263,4 +263,4 @@ double wayDown(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, double
     return way;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -4,7 +4,7 @@
 
 #include "core/nesting/posed.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// What it took, in about equal steps.
 using Steps = long long;
@@ -35,4 +35,4 @@ double wayOut(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, Steps &
 double wayDown(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, double most,
                Steps &steps);
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -317,4 +317,4 @@ void Exploration::compress(Steps from, Steps until, std::stop_token stop)
     restore(m_best);
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -3,7 +3,7 @@
 
 #include "core/nesting/separation.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// The sheets of a search, side by side along x, with what is not free on them.
 struct Ground
@@ -82,4 +82,4 @@ private:
     std::vector<Failed> m_failed; // at the present length, best first
 };
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -136,4 +136,4 @@ void slideLeft(Board &board, std::size_t sheet, Meter &meter)
     }
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

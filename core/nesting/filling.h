@@ -4,7 +4,7 @@
 #include "core/nesting/board.h"
 #include "core/nesting/meter.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 struct Filling
 {
@@ -20,4 +20,4 @@ std::optional<Pose> leftmost(const Board &board, const Shape &shape, std::size_t
 /// Slides everything on the sheet to the left, the leftmost first, as far as it goes.
 void slideLeft(Board &board, std::size_t sheet, Meter &meter);
 
-} // namespace fff::nesting
+} // namespace fff::nest

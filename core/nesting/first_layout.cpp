@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -181,4 +181,4 @@ Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
     return best;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -4,7 +4,7 @@
 #include "core/nesting/filling.h"
 #include "core/nesting/prepared.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 struct Laid
 {
@@ -28,4 +28,4 @@ double usedLength(const Prepared &prepared, const Laid &laid);
 /// with their number. Always all of it: what is to be stopped is the search.
 Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps);
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -136,4 +136,4 @@ Inside insideOf(const Region &container, double distance)
     return inside;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

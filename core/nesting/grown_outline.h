@@ -3,7 +3,7 @@
 
 #include "core/geometry/polygon.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// A region that holds all within `distance` of the outline, with few corners: it may be larger by
 /// up to twice `slack`. Corners are mitred, the longest ones cut off. What has no area is its box,
@@ -20,4 +20,4 @@ struct Inside
 };
 Inside insideOf(const Region &container, double distance);
 
-} // namespace fff::nesting
+} // namespace fff::nest

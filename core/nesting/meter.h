@@ -5,7 +5,7 @@
 
 #include <stop_token>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 struct Meter
 {
@@ -16,4 +16,4 @@ struct Meter
     bool isOver() const { return used >= limit || stop.stop_requested(); }
 };
 
-} // namespace fff::nesting
+} // namespace fff::nest

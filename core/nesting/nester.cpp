@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -99,7 +99,7 @@ std::int64_t workOf(double seconds)
     return std::llround(seconds * kWorkPerSecond);
 }
 
-Solution nest(const Problem &problem, const Options &options, const LongWork &longWork)
+Solution nestPieces(const Problem &problem, const Options &options, const LongWork &longWork)
 {
     Prepared prepared = prepare(problem);
     Steps steps = 0;
@@ -115,4 +115,4 @@ Solution nest(const Problem &problem, const Options &options, const LongWork &lo
     return solution;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -3,7 +3,7 @@
 
 #include "core/nesting/problem.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// Pieces one after the other where there is room, largest first; then, as long as there is work,
 /// less and less room: the strip becomes shorter, or the sheets fewer and the last one less used,
@@ -17,6 +17,6 @@ namespace fff::nesting {
 ///
 /// The same problem, seed and work give the same solution, bit for bit, unless it was stopped.
 /// Source  J. Gardeyn, G. Vanden Berghe, T. Wauters 2025, arXiv 2509.13329.
-Solution nest(const Problem &problem, const Options &options, const LongWork &longWork = {});
+Solution nestPieces(const Problem &problem, const Options &options, const LongWork &longWork = {});
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <queue>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::vector<Pole> polesOf(const Region &shape)
     return poles;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -52,4 +52,4 @@ void pose(const Region &outline, const std::vector<Pole> &poles, const Vec2 &tur
     turnPoles(poles, turn, posed.poles);
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// A disc inside a shape.
 struct Pole
@@ -46,4 +46,4 @@ struct Posed
 /// Fills `posed`, whose memory is used again.
 void pose(const Region &outline, const std::vector<Pole> &poles, const Vec2 &turn, Posed &posed);
 
-} // namespace fff::nesting
+} // namespace fff::nest

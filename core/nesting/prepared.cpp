@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -66,7 +66,8 @@ Prepared prepare(const Problem &problem)
         const double saving =
             problem.spacing > 0.0 || problem.chord > 0.0 ? savingOf(problem) : 0.0;
         Region grown = grownOutline(outline, room, saving);
-        const std::vector<Vec2> turns = piece.turnsFreely ? goodTurns(grown.outer) : piece.turns;
+        const std::vector<Vec2> turns =
+            piece.turnsFreely ? goodTurns(grown.outer, piece.turns) : piece.turns;
         prepared.shapes.push_back(
             shapeOf(std::move(grown), turns, piece.turnsFreely, fff::area(piece.outline)));
     }
@@ -90,4 +91,4 @@ Place placeOf(const Prepared &prepared, int piece, int sheet, const Pose &pose)
     return place;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

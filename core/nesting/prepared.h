@@ -4,7 +4,7 @@
 
 #include "core/nesting/exploration.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 struct Prepared
 {
@@ -31,4 +31,4 @@ Prepared prepare(const Problem &problem);
 /// How a piece lies, seen by its problem.
 Place placeOf(const Prepared &prepared, int piece, int sheet, const Pose &pose);
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// How a piece may be turned from how it is drawn.
 enum class Turning { None, Half, Quarter, Free };
@@ -20,7 +20,7 @@ struct Piece
     Region outline; // its true outline goes no further beyond these chords than Problem::chord
     int demand = 1; // how many of it
     std::vector<Vec2> turns{Vec2::UnitX()}; // (cosine, sine), counter-clockwise; at least one
-    bool turnsFreely = false;               // at any other angle as well
+    bool turnsFreely = false; // at any other angle as well; then `turns` are only tried first
 };
 
 /// Sheets of one outline: a rectangle, or an offcut with whatever holes it has.
@@ -77,4 +77,4 @@ struct Options
 inline constexpr double kWorkPerSecond = 100e6;
 std::int64_t workOf(double seconds);
 
-} // namespace fff::nesting
+} // namespace fff::nest

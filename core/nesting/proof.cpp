@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -248,4 +248,4 @@ std::optional<Fault> faultOf(const Problem &problem, const Solution &solution)
     return std::nullopt;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// S. Vigna 2015, SplitMix64: a step of a counter, well mixed.
 class Random
@@ -48,4 +48,4 @@ private:
     std::uint64_t m_state;
 };
 
-} // namespace fff::nesting
+} // namespace fff::nest

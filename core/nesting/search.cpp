@@ -5,7 +5,7 @@
 #include <numeric>
 #include <thread>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -226,4 +226,4 @@ Laid improved(Prepared &prepared, Laid laid, const Options &options, const LongW
     return laid;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

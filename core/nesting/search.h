@@ -3,7 +3,7 @@
 
 #include "core/nesting/first_layout.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// Two explorations with seeds of their own, which meet from time to time, where the better layout
 /// is taken over by both: the same result however their threads are timed.
@@ -11,4 +11,4 @@ namespace fff::nesting {
 Laid improved(Prepared &prepared, Laid laid, const Options &options, const LongWork &longWork,
               Steps &steps);
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 namespace {
 
@@ -333,4 +333,4 @@ bool Separation::run(const Patience &patience, Meter &meter)
     return least == 0.0;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

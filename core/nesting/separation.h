@@ -5,7 +5,7 @@
 #include "core/nesting/meter.h"
 #include "core/nesting/random.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 /// When to give up.
 struct Patience
@@ -75,4 +75,4 @@ private:
     Posed m_turned;                         // of it, turned freely
 };
 
-} // namespace fff::nesting
+} // namespace fff::nest

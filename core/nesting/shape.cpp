@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fff::nesting {
+namespace fff::nest {
 
 void Shape::addPoles()
 {
@@ -35,23 +35,23 @@ Shape shapeOf(Region outline, const std::vector<Vec2> &turns, bool turnsFreely, 
     return shape;
 }
 
-std::vector<Vec2> goodTurns(const Polygon &outline)
+std::vector<Vec2> goodTurns(const Polygon &outline, const std::vector<Vec2> &more)
 {
     std::vector<Vec2> turns;
-    const auto add = [&turns](Vec2 turn) {
-        for (int quarter = 0; quarter < 4; ++quarter, turn = perpendicular(turn)) {
-            const auto isSame = [&turn](const Vec2 &other) {
-                return (turn - other).norm() < kSameDirection;
-            };
-            if (std::none_of(turns.begin(), turns.end(), isSame))
-                turns.push_back(turn);
-        }
+    const auto add = [&turns](const Vec2 &turn) {
+        const auto isSame = [&turn](const Vec2 &other) {
+            return (turn - other).norm() < kSameDirection;
+        };
+        if (std::none_of(turns.begin(), turns.end(), isSame))
+            turns.push_back(turn);
     };
-    add(Vec2::UnitX());
     const Turns good = findTurns(convexHull(outline));
-    add(good.smallest);
-    add(good.lowest);
+    for (Vec2 turn : {Vec2(Vec2::UnitX()), good.smallest, good.lowest})
+        for (int quarter = 0; quarter < 4; ++quarter, turn = perpendicular(turn))
+            add(turn);
+    for (const Vec2 &turn : more)
+        add(turn);
     return turns;
 }
 
-} // namespace fff::nesting
+} // namespace fff::nest

@@ -4,7 +4,7 @@
 #include "core/nesting/posed.h"
 #include "core/nesting/problem.h"
 
-namespace fff::nesting {
+namespace fff::nest {
 
 struct Shape
 {
@@ -26,7 +26,7 @@ struct Shape
 Shape shapeOf(Region outline, const std::vector<Vec2> &turns, bool turnsFreely, double area);
 
 /// Turns to begin with of what turns freely: as drawn, with the smallest box and the lowest one,
-/// and quarter turns of these.
-std::vector<Vec2> goodTurns(const Polygon &outline);
+/// and quarter turns of these; `more` turns besides.
+std::vector<Vec2> goodTurns(const Polygon &outline, const std::vector<Vec2> &more);
 
-} // namespace fff::nesting
+} // namespace fff::nest
