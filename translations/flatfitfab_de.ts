@@ -3352,6 +3352,10 @@
         <source>all for a workshop</source>
         <translation>alles für eine Werkstatt</translation>
     </message>
+    <message>
+        <source>Parts close together on sheets, or the items of a strip (.json)</source>
+        <translation>Teile dicht beieinander auf Platten, oder die Stücke eines Streifens (.json)</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -4454,6 +4458,24 @@
     <message>
         <source>a machine</source>
         <translation>eine Maschine</translation>
+        <source>at least three points</source>
+        <translation>mindestens drei Punkte</translation>
+    </message>
+    <message>
+        <source>simple_polygon or polygon</source>
+        <translation>simple_polygon oder polygon</translation>
+    </message>
+    <message>
+        <source>at least one angle</source>
+        <translation>mindestens ein Winkel</translation>
+    </message>
+    <message>
+        <source>an instance of strip packing</source>
+        <translation>eine Aufgabe für einen Streifen</translation>
+    </message>
+    <message>
+        <source>at least one item</source>
+        <translation>mindestens ein Stück</translation>
     </message>
 </context>
 <context>
@@ -7914,6 +7936,49 @@
         <source>Writes the form that the sections suggest, as a surface (%1), in place of the solids.</source>
         <extracomment>%1 are ends of names, such as &quot;obj or stl&quot;</extracomment>
         <translation>Schreibt die Form, die die Scheiben andeuten, als Fläche (%1), an Stelle der Körper.</translation>
+        <source>How long to search (10); 0 takes the first layout.</source>
+        <translation>Wie lange gesucht wird (10); 0 nimmt die erste Anordnung.</translation>
+    </message>
+    <message>
+        <source>Another number gives another layout, the same one the same.</source>
+        <translation>Eine andere Zahl gibt eine andere Anordnung, dieselbe Zahl dieselbe.</translation>
+    </message>
+    <message>
+        <source>How parts may be turned: none, 180, 90 or free.</source>
+        <translation>Wie Teile gedreht werden dürfen: none (gar nicht), 180, 90 oder free (beliebig).</translation>
+    </message>
+    <message>
+        <source>From the sheet&apos;s edge to the nearest cut.</source>
+        <translation>Vom Rand der Platte zum nächsten Schnitt.</translation>
+    </message>
+    <message>
+        <source>Between neighbouring cuts.</source>
+        <translation>Zwischen benachbarten Schnitten.</translation>
+    </message>
+    <message>
+        <source>--rotations: found &quot;%1&quot;, expected none, 180, 90 or free.</source>
+        <translation>--rotations: gefunden: „%1“, erwartet: none, 180, 90 oder free.</translation>
+    </message>
+    <message>
+        <source>Length: %1</source>
+        <translation>Länge: %1</translation>
+    </message>
+    <message>
+        <source>Density: %1 %</source>
+        <translation>Dichte: %1 %</translation>
+    </message>
+    <message>
+        <source>Parts: %1, sheets: %2</source>
+        <translation>Teile: %1, Platten: %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm, %3: %4 parts, %5 % covered</source>
+        <extracomment>A sheet&apos;s size, its stock, how many parts lie on it, and how much of it they cover</extracomment>
+        <translation>%1 × %2 mm, %3: %4 Teile, %5 % bedeckt</translation>
+    </message>
+    <message>
+        <source>%1: a part is too large for its sheet.</source>
+        <translation>%1: Ein Teil ist zu groß für seine Platte.</translation>
     </message>
 </context>
 <context>

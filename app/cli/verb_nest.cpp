@@ -31,7 +31,7 @@ constexpr double kMostSeed = 4294967295.0;
 /// best so far has to do.
 constexpr double kPatience = 2.0;
 
-QString nestTr(const char *text)
+QString tr(const char *text)
 {
     return QCoreApplication::translate("CommandLine", text);
 }
@@ -62,12 +62,12 @@ void addNestOptions(QCommandLineParser &parser)
     const auto add = [&](const char *name, const QString &text, const char *value) {
         parser.addOption({QLatin1String(name), text, QLatin1String(value)});
     };
-    parser.addOption({QStringLiteral("json"), nestTr("Prints JSON, for other programs.")});
-    add("seconds", nestTr("How long to search (10); 0 takes the first layout."), "S");
-    add("seed", nestTr("Another number gives another layout, the same one the same."), "N");
-    add("rotations", nestTr("How parts may be turned: none, 180, 90 or free."), "HOW");
-    add("margin", nestTr("From the sheet's edge to the nearest cut."), "MM");
-    add("spacing", nestTr("Between neighbouring cuts."), "MM");
+    parser.addOption({QStringLiteral("json"), tr("Prints JSON, for other programs.")});
+    add("seconds", tr("How long to search (10); 0 takes the first layout."), "S");
+    add("seed", tr("Another number gives another layout, the same one the same."), "N");
+    add("rotations", tr("How parts may be turned: none, 180, 90 or free."), "HOW");
+    add("margin", tr("From the sheet's edge to the nearest cut."), "MM");
+    add("spacing", tr("Between neighbouring cuts."), "MM");
 }
 
 /// Nothing, and `status` to return, when an option makes no sense.
@@ -91,8 +91,7 @@ std::optional<NestAsked> nestAsked(const QCommandLineParser &parser, const Verb 
         asked.turning = turningNamed(name);
         if (!asked.turning)
             status = wrongUse(
-                verb,
-                nestTr("--rotations: found \"%1\", expected none, 180, 90 or free.").arg(name));
+                verb, tr("--rotations: found \"%1\", expected none, 180, 90 or free.").arg(name));
     }
     return status ? std::nullopt : std::optional(asked);
 }
@@ -176,16 +175,15 @@ int nestInstance(const QString &file, const NestAsked &asked)
         nest::nestPieces(problem, {asked.seed, nest::workOf(asked.seconds), true}, guard.work());
     if (!solution.left.empty()) {
         const auto piece = static_cast<std::size_t>(solution.left.front());
-        return report(
-            Error{ErrorCode::BadValue,
-                  QStringLiteral("%1:$.items[%2]").arg(file, QString::number(piece)).toStdString(),
-                  {"an item that is too large", "items that fit the strip's height"}});
+        //: %1 is a file and a place in it
+        printError(tr("%1: this item is too large for the strip.")
+                       .arg(QStringLiteral("%1:$.items[%2]").arg(file, QString::number(piece))));
+        return BadInput;
     }
     if (asked.asJson)
         return print(instanceJson(*instance, solution));
-    return printLines(
-        {nestTr("Length: %1").arg(QString::number(solution.length)),
-         nestTr("Density: %1 %").arg(QString::number(100.0 * solution.density, 'f', 2))});
+    return printLines({tr("Length: %1").arg(QString::number(solution.length)),
+                       tr("Density: %1 %").arg(QString::number(100.0 * solution.density, 'f', 2))});
 }
 
 /// A model's parts as they are cut.
@@ -286,12 +284,12 @@ std::string nestJson(const NestedLayout &nested, const PartsToNest &of, const Ne
 QStringList nestText(const NestedLayout &nested, const PartsToNest &of)
 {
     const std::vector<Sheet> sheets = properSheets(nested.layout);
-    QStringList lines{nestTr("Parts: %1, sheets: %2")
+    QStringList lines{tr("Parts: %1, sheets: %2")
                           .arg(QString::number(of.parts.size()), QString::number(sheets.size()))};
     for (const Sheet &sheet : sheets) {
         const Stock *stock = of.model.document.find(sheet.stock);
         //: A sheet's size, its stock, how many parts lie on it, and how much of it they cover
-        lines += nestTr("%1 × %2 mm, %3: %4 parts, %5 % covered")
+        lines += tr("%1 × %2 mm, %3: %4 parts, %5 % covered")
                      .arg(QString::number(sheet.size.x()), QString::number(sheet.size.y()),
                           stock ? QString::fromStdString(stock->name) : QString(),
                           QString::number(sheet.placements.size()),
@@ -318,8 +316,7 @@ int nestModel(const QString &file, const DocumentOptions &documentOptions, const
     const Guard guard(asked.seconds);
     const NestedLayout nested = nestOut(of->parts, of->model, options, guard.work());
     for (const std::string &name : namesOfTooLarge(nested.layout, *of))
-        printError(
-            nestTr("%1: a part is too large for its sheet.").arg(QString::fromStdString(name)));
+        printError(tr("%1: a part is too large for its sheet.").arg(QString::fromStdString(name)));
     return asked.asJson ? print(nestJson(nested, *of, asked)) : printLines(nestText(nested, *of));
 }
 

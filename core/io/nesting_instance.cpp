@@ -3,6 +3,7 @@
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QJsonDocument>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Polygon ringOf(const JsonCursor &at)
     if (ring.size() > 1 && ring.front() == ring.back())
         ring.pop_back();
     if (ring.size() < 3)
-        at.failExpected("at least three points");
+        at.failExpected(QT_TRANSLATE_NOOP("Error", "at least three points"));
     return ring;
 }
 
@@ -40,7 +41,7 @@ Region outlineOf(const JsonCursor &shape)
             for (const JsonCursor &hole : inner.items())
                 outline.holes.push_back(ringOf(hole));
     } else {
-        shape.member("type").failExpected("simple_polygon or polygon");
+        shape.member("type").failExpected(QT_TRANSLATE_NOOP("Error", "simple_polygon or polygon"));
     }
     // As regions have them, however they are drawn.
     if (signedArea(outline.outer) < 0.0)
@@ -76,7 +77,7 @@ nest::Piece pieceOf(const JsonCursor &item)
     for (const JsonCursor &angle : angles.items())
         piece.turns.push_back(turnOf(angle.number()));
     if (piece.turns.empty())
-        angles.failExpected("at least one angle");
+        angles.failExpected(QT_TRANSLATE_NOOP("Error", "at least one angle"));
     return piece;
 }
 
@@ -92,7 +93,7 @@ Result<NestingInstance> readNestingInstance(std::string_view json, const std::st
                                               : QJsonValue(document.array()),
                           "$", problems);
     if (!root.isObject())
-        root.failExpected("an instance of strip packing");
+        root.failExpected(QT_TRANSLATE_NOOP("Error", "an instance of strip packing"));
     NestingInstance instance;
     if (!problems.failed()) {
         if (const JsonCursor name = root.member("name"); name.exists())
@@ -108,7 +109,7 @@ Result<NestingInstance> readNestingInstance(std::string_view json, const std::st
             instance.problem.pieces.push_back(pieceOf(items[i]));
         }
         if (items.empty())
-            root.member("items").failExpected("at least one item");
+            root.member("items").failExpected(QT_TRANSLATE_NOOP("Error", "at least one item"));
     }
     if (problems.failed())
         return tl::unexpected(*problems.error);

@@ -1,7 +1,6 @@
 #include "core/nesting/board.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace fff::nest {
@@ -37,14 +36,13 @@ Board::Board(std::span<const Shape> shapes, std::vector<Box2> sheets, std::size_
 
 std::size_t Board::add(std::size_t shape, const Pose &pose)
 {
-    assert(m_count == m_items.size() && "obstacles come last");
     m_items.emplace_back();
     m_items.back().shape = &m_shapes[shape];
     m_items.back().index = shape;
     m_seen.push_back(0);
     ++m_count;
-    place(m_count - 1, pose);
-    return m_count - 1;
+    place(m_items.size() - 1, pose);
+    return m_items.size() - 1;
 }
 
 void Board::addObstacle(const Shape &shape, const Vec2 &at)
@@ -81,7 +79,7 @@ void Board::place(std::size_t item, const Pose &pose)
             placed.own = std::make_unique<Posed>();
         if (placed.own->edges.empty() || placed.own->turn != pose.direction)
             fff::nest::pose(placed.shape->outline, placed.shape->poles, pose.direction,
-                               *placed.own);
+                            *placed.own);
         placed.posed = placed.own.get();
     } else {
         placed.posed = &placed.shape->turns[static_cast<std::size_t>(pose.turn)];

@@ -31,7 +31,7 @@ public:
     Board(const Board &) = delete;
     Board &operator=(const Board &) = delete;
 
-    /// Obstacles come after everything that moves.
+    /// Who asks for count() adds obstacles after everything that moves.
     std::size_t add(std::size_t shape, const Pose &pose);
     void addObstacle(const Shape &shape, const Vec2 &at);
     std::size_t count() const { return m_count; } // of what moves: the first ones

@@ -9,8 +9,8 @@ namespace fff::nest {
 
 namespace {
 
-constexpr double kFirstStep = 0.03, kLeastStep = 0.001, kMostStep = 0.1;
-constexpr double kLonger = 1.5, kShorter = 0.5;
+constexpr double kFirstShortening = 0.03, kLeastShortening = 0.001, kMostShortening = 0.1;
+constexpr double kBolder = 1.5, kShyer = 0.5;
 // When compressing: the first step and the last one.
 constexpr double kFirstPress = 0.0015, kLastPress = 0.00002;
 constexpr Patience kExploring{3, 60};
@@ -32,7 +32,7 @@ Exploration::Exploration(std::span<const Shape> shapes, const std::vector<std::s
               return m_board;
           }(),
           m_random.next()),
-      m_sheets(ground.sheets), m_best(start), m_step(kFirstStep)
+      m_sheets(ground.sheets), m_best(start), m_step(kFirstShortening)
 {
 }
 
@@ -53,22 +53,29 @@ void Exploration::adopt(const State &state)
 /// Sheets that nothing lies on any more go; the one with the least on it is the last one then.
 void Exploration::dropEmpty()
 {
-    const auto areas = [this] {
-        std::vector<double> covered(m_sheets.size(), 0.0);
-        for (std::size_t item = 0; item < m_board.count(); ++item)
-            covered[m_board.sheetOf(item)] += m_board.shape(item).area;
-        return covered;
+    struct Load
+    {
+        std::size_t count = 0;
+        double area = 0.0;
+        Box2 sheet;
     };
-    std::vector<double> covered = areas();
-    if (m_sheets.size() == m_best.sheets.size() && covered.back() > 0.0)
+    std::vector<Load> loads(m_sheets.size());
+    for (std::size_t item = 0; item < m_board.count(); ++item) {
+        Load &load = loads[m_board.sheetOf(item)];
+        ++load.count;
+        load.area += m_board.shape(item).area;
+    }
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        loads[i].sheet = m_sheets[i];
+    if (m_sheets.size() == m_best.sheets.size() && loads.back().count > 0)
         return;
-    for (std::size_t i = m_sheets.size(); i-- > 0 && m_sheets.size() > 1;)
-        if (!(covered[i] > 0.0))
-            m_sheets.erase(m_sheets.begin() + static_cast<std::ptrdiff_t>(i));
-    m_board.setSheets(m_sheets);
-    covered = areas();
-    const auto least = std::min_element(covered.begin(), covered.end()) - covered.begin();
-    std::swap(m_sheets[static_cast<std::size_t>(least)], m_sheets.back());
+    std::erase_if(loads, [](const Load &load) { return load.count == 0; });
+    const auto least = std::min_element(
+        loads.begin(), loads.end(), [](const Load &a, const Load &b) { return a.area < b.area; });
+    std::swap(*least, loads.back());
+    m_sheets.clear();
+    for (const Load &load : loads)
+        m_sheets.push_back(load.sheet);
     m_board.setSheets(m_sheets);
 }
 
@@ -260,15 +267,15 @@ void Exploration::explore(Steps until, std::stop_token stop)
             const double length = m_best.length * (1.0 - m_step);
             if (length < leastLength() || !shorten(length, last().max.x())) {
                 restore(m_best);
-                if (m_step <= kLeastStep)
+                if (m_step <= kLeastShortening)
                     return;
-                m_step = std::max(kLeastStep, kShorter * m_step);
+                m_step = std::max(kLeastShortening, kShyer * m_step);
                 continue;
             }
         }
         if (m_separation.run(kExploring, m_meter)) {
             if (!isShort)
-                m_step = std::min(kMostStep, kLonger * m_step);
+                m_step = std::min(kMostShortening, kBolder * m_step);
             keep();
             isShort = false;
             continue;
@@ -278,9 +285,9 @@ void Exploration::explore(Steps until, std::stop_token stop)
                          [](const Failed &a, const Failed &b) { return a.loss < b.loss; });
         if (m_failed.size() > kRemembered)
             m_failed.pop_back();
-        if (m_step > kLeastStep) {
+        if (m_step > kLeastShortening) {
             // It was too much at once.
-            m_step = std::max(kLeastStep, kShorter * m_step);
+            m_step = std::max(kLeastShortening, kShyer * m_step);
             m_failed.clear();
             isShort = false;
             continue;

@@ -24,11 +24,16 @@ public:
     {
         Vec2 at(m_low.x(), m_low.y() + above);
         const double end = std::min(m_high.x(), most - m_posed.box.max.x());
+        // Where rounding sees no way out of what is met, farther and farther.
+        double nudge = leastWay();
         while (at.x() <= end) {
             const auto isInWay = [&](std::size_t item) {
                 if (!collide(m_posed, m_board.posed(item), at - m_board.at(item), m_meter.used))
                     return false;
-                at.x() += std::max(leastWay(), way(item, at));
+                const double out = way(item, at);
+                at.x() += std::max(nudge, out);
+                if (out < nudge)
+                    nudge *= 2.0;
                 return true;
             };
             m_meter.used += 8;
@@ -82,8 +87,8 @@ private:
     /// More than rounding.
     double leastWay() const
     {
-        constexpr double kRounding = 1e-11;
-        return kRounding * (1.0 + m_posed.box.size().maxCoeff() + m_low.cwiseAbs().maxCoeff());
+        constexpr double kPartly = 1e-11;
+        return kPartly * (1.0 + m_posed.box.size().maxCoeff() + m_low.cwiseAbs().maxCoeff());
     }
 
     const Board &m_board;
@@ -99,7 +104,8 @@ std::optional<Pose> leftmost(const Board &board, const Shape &shape, std::size_t
 {
     std::optional<Pose> best;
     double most = std::numeric_limits<double>::infinity();
-    for (std::size_t turn = 0; turn < shape.turns.size(); ++turn) {
+    const std::size_t count = shape.turns.size();
+    for (std::size_t turn = count - std::min(count, filling.turns); turn < count; ++turn) {
         const Lodger lodger(board, shape.turns[turn], board.sheets()[sheet], meter);
         if (!lodger.fits())
             continue;

@@ -8,8 +8,9 @@ namespace fff::nest {
 
 struct Filling
 {
-    int rows = 24;    // heights that are tried, of each turn
-    int settling = 3; // times that it slides down and to the left where it came to lie
+    std::size_t turns = 100; // that are tried at most, the last ones of a shape
+    int rows = 24;           // heights that are tried, of each turn
+    int settling = 3;        // times that it slides down and to the left where it came to lie
 };
 
 /// The place on the sheet where the shape's right end comes least far, of some rows and all of its

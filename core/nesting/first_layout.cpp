@@ -11,6 +11,8 @@ namespace {
 /// Rows for a few pieces and for many.
 constexpr int kMostRows = 48, kLeastRows = 12;
 constexpr int kRowsForAll = 6000; // rows of all pieces together
+/// So many pieces are tried in several orders and with all of their turns.
+constexpr std::size_t kFewPieces = 400, kTurnsOfMany = 4;
 /// A sheet without room for a piece is asked again for one with less than this of its area.
 constexpr double kSmaller = 0.8;
 
@@ -19,6 +21,7 @@ struct OpenSheet
     int kind = 0;
     std::unique_ptr<Board> board;
     std::vector<int> pieces;
+    std::vector<Pose> poses;
     double refused = std::numeric_limits<double>::infinity(); // area of what had no room
 };
 
@@ -32,6 +35,8 @@ public:
         m_filling.rows =
             std::clamp(kRowsForAll / static_cast<int>(std::max<std::size_t>(1, expected)),
                        kLeastRows, kMostRows);
+        if (expected > kFewPieces)
+            m_filling.turns = kTurnsOfMany;
         for (const Prepared::Sheet &sheet : prepared.sheets)
             m_unused.push_back(sheet.count);
     }
@@ -55,11 +60,8 @@ public:
     {
         Laid laid;
         laid.left = std::move(m_left);
-        for (OpenSheet &sheet : m_open) {
-            laid.sheets.push_back({sheet.kind, std::move(sheet.pieces), {}});
-            for (std::size_t item = 0; item < sheet.board->count(); ++item)
-                laid.sheets.back().poses.push_back(sheet.board->pose(item));
-        }
+        for (OpenSheet &sheet : m_open)
+            laid.sheets.push_back({sheet.kind, std::move(sheet.pieces), std::move(sheet.poses)});
         m_steps += m_meter.used;
         return laid;
     }
@@ -73,6 +75,7 @@ private:
             return false;
         sheet.board->add(index, *pose);
         sheet.pieces.push_back(piece);
+        sheet.poses.push_back(*pose);
         return true;
     }
 
@@ -88,7 +91,7 @@ private:
                 std::make_unique<Board>(m_prepared.shapes, std::vector{sheet.box}, m_expected);
             m_open.push_back(std::move(open));
             for (const Shape &obstacle : sheet.obstacles)
-                m_open.back().board->addObstacle(obstacle, Vec2::Zero());
+                m_open.back().board->addObstacle(obstacle, -obstacle.moved);
             if (putOn(m_open.back(), piece)) {
                 m_unused[kind] -= m_unused[kind] > 0 ? 1 : 0;
                 return true;
@@ -160,12 +163,11 @@ double usedLength(const Prepared &prepared, const Laid &laid)
 
 Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
 {
-    constexpr std::size_t kFew = 400; // pieces for which several orders are tried
     Laid best;
     bool isFirst = true;
     for (const Order order : {Order::Area, Order::Length, Order::Width}) {
         const std::vector<int> pieces = ordered(prepared, problem, order);
-        if (!isFirst && pieces.size() > kFew)
+        if (!isFirst && pieces.size() > kFewPieces)
             break;
         Filler filler(prepared, pieces.size(), steps);
         for (const int piece : pieces)

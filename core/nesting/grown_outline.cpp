@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fff::nest {
 
@@ -101,22 +102,42 @@ Polygon simplifiedRing(const Polygon &ring, double error)
     return result.size() < 3 ? ring : result;
 }
 
+/// The largest piece of the outline grown by so much; nothing for what has no area.
+std::optional<Region> largestGrown(const C::Paths &outline, double distance)
+{
+    std::vector<Region> regions = regionsOf(grownPaths(outline, distance));
+    const auto isSmaller = [](const Region &a, const Region &b) { return area(a) < area(b); };
+    const auto largest = std::max_element(regions.begin(), regions.end(), isSmaller);
+    return largest == regions.end() ? std::nullopt : std::optional(std::move(*largest));
+}
+
+std::size_t cornerCount(const Region &region)
+{
+    std::size_t count = region.outer.size();
+    for (const Polygon &hole : region.holes)
+        count += hole.size();
+    return count;
+}
+
 } // namespace
 
 Region grownOutline(const Region &outline, double distance, double slack)
 {
-    std::vector<Region> regions = regionsOf(grownPaths(enclosed(outline), distance + slack));
-    if (regions.empty()) {
+    const C::Paths paths = enclosed(outline);
+    std::optional<Region> grown = largestGrown(paths, distance);
+    if (!grown) {
         const Vec2 more = Vec2::Constant(distance);
         const Box2 box = bounds(outline.outer);
         return {rectangle({box.min - more, box.max + more}), {}};
     }
-    const auto isSmaller = [](const Region &a, const Region &b) { return area(a) < area(b); };
-    Region grown = *std::max_element(regions.begin(), regions.end(), isSmaller);
-    grown.outer = simplifiedRing(grown.outer, slack);
-    for (Polygon &hole : grown.holes)
+    if (!(slack > 0.0))
+        return *std::move(grown);
+    Region simple = largestGrown(paths, distance + slack).value_or(*grown);
+    simple.outer = simplifiedRing(simple.outer, slack);
+    for (Polygon &hole : simple.holes)
         hole = simplifiedRing(hole, slack);
-    return grown;
+    // What has few corners as it is stays as small as it is.
+    return 4 * cornerCount(simple) < 3 * cornerCount(*grown) ? simple : *std::move(grown);
 }
 
 Inside insideOf(const Region &container, double distance)

@@ -64,7 +64,8 @@ Solution solutionOf(const Problem &problem, const Prepared &prepared, const Laid
     solution.left = laid.left;
     for (std::size_t i = 0; i < laid.sheets.size(); ++i) {
         const Laid::Sheet &sheet = laid.sheets[i];
-        solution.sheets.push_back(sheet.kind);
+        if (!prepared.isStrip)
+            solution.sheets.push_back(sheet.kind);
         for (std::size_t k = 0; k < sheet.pieces.size(); ++k) {
             Place place = placeOf(prepared, sheet.pieces[k], static_cast<int>(i), sheet.poses[k]);
             keepMargin(problem, solution, place);

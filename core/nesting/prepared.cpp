@@ -87,7 +87,8 @@ Place placeOf(const Prepared &prepared, int piece, int sheet, const Pose &pose)
     place.sheet = sheet;
     place.turn = pose.turn == Pose::kFree ? pose.direction
                                           : shape.turns[static_cast<std::size_t>(pose.turn)].turn;
-    place.offset = prepared.isStrip ? pose.at : Vec2(-pose.at.y(), pose.at.x());
+    const Vec2 at = pose.at + turned(shape.moved, place.turn);
+    place.offset = prepared.isStrip ? at : Vec2(-at.y(), at.x());
     return place;
 }
 

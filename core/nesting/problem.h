@@ -56,7 +56,7 @@ struct Place
 struct Solution
 {
     std::vector<Place> places; // by piece, as many of each as fit
-    std::vector<int> sheets;   // used ones, by the index of their kind
+    std::vector<int> sheets;   // used ones, by the index of their kind; none on a strip
     std::vector<int> left;     // pieces that fit nowhere, once for each that is left
     double length = 0.0;       // of the strip; on the last sheet the height that is used
     double density = 0.0;      // area of pieces over that of the strip's length, or of the sheets

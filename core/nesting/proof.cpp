@@ -85,7 +85,7 @@ bool anyPair(const Lying &a, const Lying &b, std::int64_t reach, Visit visit)
 }
 
 /// Each passes from one side of the other to the other side.
-bool cross(const GridEdge &a, const GridEdge &b)
+bool edgesCross(const GridEdge &a, const GridEdge &b)
 {
     return sideOf(b.from, b.to, a.from) * sideOf(b.from, b.to, a.to) < 0 &&
            sideOf(a.from, a.to, b.from) * sideOf(a.from, a.to, b.to) < 0;
@@ -111,9 +111,9 @@ int sideOfBoundary(const GridPoint &p, const Lying &lying)
 }
 
 /// Whether they share a point.
-bool meet(const GridEdge &a, const GridEdge &b)
+bool edgesTouch(const GridEdge &a, const GridEdge &b)
 {
-    return cross(a, b) || isOn(a.from, b) || isOn(a.to, b) || isOn(b.from, a) || isOn(b.to, a);
+    return edgesCross(a, b) || isOn(a.from, b) || isOn(a.to, b) || isOn(b.from, a) || isOn(b.to, a);
 }
 
 /// Of two whose boundaries do not meet.
@@ -122,7 +122,7 @@ bool isIn(const Lying &a, const Lying &b)
     return !a.edges.empty() && sideOfBoundary(a.edges.front().from, b) > 0;
 }
 
-double distance(const GridEdge &a, const GridEdge &b)
+double gapBetween(const GridEdge &a, const GridEdge &b)
 {
     const Vec2 p = fromGrid(a.from), q = fromGrid(a.to), r = fromGrid(b.from), s = fromGrid(b.to);
     return std::min({distanceToSegment(p, r, s), distanceToSegment(q, r, s),
@@ -137,13 +137,13 @@ bool areNear(const Lying &a, const Lying &b, std::int64_t reach)
 
 std::optional<Fault::Kind> faultBetween(const Lying &a, const Lying &b, double apart)
 {
-    if (anyPair(a, b, 0, meet) || isIn(a, b) || isIn(b, a))
+    if (anyPair(a, b, 0, edgesTouch) || isIn(a, b) || isIn(b, a))
         return Fault::Kind::Overlap;
     if (!(apart > 0.0))
         return std::nullopt;
     const auto reach = static_cast<std::int64_t>(std::ceil(apart / kClipGrid));
     const auto isTooNear = [&](const GridEdge &p, const GridEdge &q) {
-        return distance(p, q) < apart - kClipSlack;
+        return gapBetween(p, q) < apart - kClipSlack;
     };
     return anyPair(a, b, reach, isTooNear) ? std::optional(Fault::Kind::TooNear) : std::nullopt;
 }
@@ -151,7 +151,7 @@ std::optional<Fault::Kind> faultBetween(const Lying &a, const Lying &b, double a
 /// Within the container and as far as it has to be from its edge.
 bool isOutside(const Lying &lying, const Lying &container, double margin)
 {
-    if (anyPair(lying, container, 0, cross))
+    if (anyPair(lying, container, 0, edgesCross))
         return true;
     for (const GridEdge &edge : lying.edges)
         if (sideOfBoundary(edge.from, container) < 0)
@@ -164,7 +164,7 @@ bool isOutside(const Lying &lying, const Lying &container, double margin)
         return false;
     const auto reach = static_cast<std::int64_t>(std::ceil(margin / kClipGrid));
     return anyPair(lying, container, reach, [&](const GridEdge &p, const GridEdge &q) {
-        return distance(p, q) < margin - kClipSlack;
+        return gapBetween(p, q) < margin - kClipSlack;
     });
 }
 

@@ -19,8 +19,8 @@ struct Fault
 
 /// The first fault, or none. True outlines where they lie, snapped to the grid of kClipGrid: there
 /// all is exact, whether edges cross and what is in what. Distances are those of the chords, with
-/// Problem::chord on both sides, to kClipSlack. Outlines that touch are a fault: nestPieces() keeps them
-/// apart by more than rounding. At the container's edge, without a margin, they may touch it.
+/// Problem::chord on both sides, to kClipSlack. Outlines that touch are a fault: nestPieces() keeps
+/// them apart by more than rounding. At the container's edge, without a margin, they may touch it.
 /// O(n log n) for edges of which few are near each other.
 std::optional<Fault> faultOf(const Problem &problem, const Solution &solution);
 

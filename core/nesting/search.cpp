@@ -37,7 +37,7 @@ Group groupOf(const Prepared &prepared, const Laid &laid, const std::vector<std:
         group.ground.sheets.push_back({kind.box.min + by, kind.box.max + by});
         left += kind.box.size().x() * 1.01 + 1.0;
         for (const Shape &obstacle : kind.obstacles)
-            group.ground.obstacles.push_back({&obstacle, by});
+            group.ground.obstacles.push_back({&obstacle, by - obstacle.moved});
         for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
             group.items.push_back(static_cast<std::size_t>(sheet.pieces[i]));
             group.start.poses.push_back(sheet.poses[i]);

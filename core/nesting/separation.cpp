@@ -24,7 +24,7 @@ constexpr double kSamePlace = 0.01;
 // Of a pair's diameter: depth below which overlaps fade.
 constexpr double kSoftShare = 0.01;
 // Weights of pairs: how they grow while pairs overlap, and fall afterwards.
-constexpr float kLeastGrowth = 1.2f, kMostGrowth = 2.0f, kDecay = 0.95f;
+constexpr float kLeastRise = 1.2f, kMostRise = 2.0f, kDecay = 0.95f;
 // An attempt has made something better if it leaves no more than this of the loss.
 constexpr double kBetter = 0.98;
 
@@ -296,7 +296,7 @@ void Separation::raiseWeights()
     const float most = *std::max_element(m_losses.begin(), m_losses.end());
     for (std::size_t i = 0; i < m_losses.size(); ++i) {
         if (m_losses[i] > 0.0f)
-            m_weights[i] *= kLeastGrowth + (kMostGrowth - kLeastGrowth) * m_losses[i] / most;
+            m_weights[i] *= kLeastRise + (kMostRise - kLeastRise) * m_losses[i] / most;
         else
             m_weights[i] = std::max(1.0f, kDecay * m_weights[i]);
     }

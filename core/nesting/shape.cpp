@@ -22,15 +22,22 @@ void Shape::addPoles()
 Shape shapeOf(Region outline, const std::vector<Vec2> &turns, bool turnsFreely, double area)
 {
     Shape shape;
+    shape.moved = -bounds(outline.outer).center();
     shape.outline = std::move(outline);
+    for (Vec2 &p : shape.outline.outer)
+        p += shape.moved;
+    for (Polygon &hole : shape.outline.holes)
+        for (Vec2 &p : hole)
+            p += shape.moved;
     shape.turnsFreely = turnsFreely;
     shape.area = area;
     shape.turns.resize(turns.size());
     for (std::size_t i = 0; i < turns.size(); ++i)
         pose(shape.outline, {}, turns[i], shape.turns[i]);
     const Vec2 size = bounds(shape.outline.outer).size();
+    constexpr double kSlim = 0.1; // steps of the search are no shorter for a needle than that
     shape.diameter = size.norm();
-    shape.least = size.minCoeff();
+    shape.least = std::max(size.minCoeff(), kSlim * shape.diameter);
     shape.weight = std::sqrt(std::sqrt(signedArea(convexHull(shape.outline.outer))));
     return shape;
 }

@@ -8,13 +8,14 @@ namespace fff::nest {
 
 struct Shape
 {
-    Region outline; // grown
+    Region outline;            // grown, and moved: its box lies about the origin
+    Vec2 moved = Vec2::Zero(); // by that
     std::vector<Pole> poles;
     std::vector<Posed> turns; // that are allowed, or with which to begin
     bool turnsFreely = false;
     double area = 0.0;     // of the piece itself
     double diameter = 0.0; // of the outline's box as drawn
-    double least = 0.0;    // lesser side of that box
+    double least = 0.0;    // lesser side of that box, or a tenth of it where that is more
     double weight = 0.0;   // of what it overlaps: fourth root of the area of its hull
 
     /// Only what construction needs is worked out at first: discs when they are asked for.

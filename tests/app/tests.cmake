@@ -1,9 +1,10 @@
-fff_tests(tests_app LIBRARIES fff::session TESTS
+fff_tests(tests_app LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     app/tst_cli
     app/tst_cli_assembly
     app/tst_cli_cut
     app/tst_cli_facets
     app/tst_cli_input
+    app/tst_cli_nest
     app/tst_cli_simulate
     app/tst_cli_skin
     app/tst_cli_slices

@@ -8,6 +8,7 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measure.cpp
     ${CMAKE_CURRENT_LIST_DIR}/mesh_cost.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/nesting_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/peer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/gizmo_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_event.cpp

@@ -1,8 +1,8 @@
-fff_tests(tests_fabrication LIBRARIES fff::session TESTS
-    core/fabrication/tst_cutting_order
+fff_tests(tests_fabrication LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/fabrication/tst_kerf
     core/fabrication/tst_kerf_oracle
     core/fabrication/tst_layout
     core/fabrication/tst_marks
+    core/fabrication/tst_nested_layout
     core/fabrication/tst_part_list
     core/fabrication/tst_parts)
