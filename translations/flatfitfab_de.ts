@@ -7980,6 +7980,11 @@
         <source>%1: a part is too large for its sheet.</source>
         <translation>%1: Ein Teil ist zu groß für seine Platte.</translation>
     </message>
+    <message>
+        <source>%1: this item is too large for the strip.</source>
+        <extracomment>%1 is a file and a place in it</extracomment>
+        <translation>%1: Dieses Stück ist zu groß für den Streifen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
