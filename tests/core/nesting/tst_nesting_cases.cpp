@@ -216,7 +216,7 @@ void TestNestingCases::lastSheetIsEmptied()
     // sheet.
     problem.pieces = {pieceOf({{0, 0}, {60, 0}, {0, 60}}, 8, Turning::Half),
                       pieceOf(box(0, 0, 10, 10), 8, Turning::None)};
-    problem.sheets = {sheet(125, 135)};
+    problem.sheets = {sheet(140, 150)};
     const nest::Solution solution = sound(problem, nest::workOf(0.5));
     QCOMPARE(solution.sheets.size(), 1U);
 }
