@@ -4456,8 +4456,6 @@
         <translation>Maschinen</translation>
     </message>
     <message>
-        <source>a machine</source>
-        <translation>eine Maschine</translation>
         <source>at least three points</source>
         <translation>mindestens drei Punkte</translation>
     </message>
@@ -4476,6 +4474,10 @@
     <message>
         <source>at least one item</source>
         <translation>mindestens ein Stück</translation>
+    </message>
+    <message>
+        <source>a machine</source>
+        <translation>eine Maschine</translation>
     </message>
 </context>
 <context>
@@ -7904,9 +7906,6 @@
         <translation>Stünde, %1.</translation>
     </message>
     <message>
-        <source>Would hold %1.</source>
-        <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
-        <translation>Hielte, %1.</translation>
         <source>--%1: found &quot;%2&quot;, expected %3.</source>
         <translation>--%1: gefunden „%2“, erwartet %3.</translation>
     </message>
@@ -7933,9 +7932,6 @@
         <translation>Die Maschine, die schneidet, für ihre Farben, Geschwindigkeiten und ihren G-Code: %1; oder eine .json-Datei mit einer eigenen (generic).</translation>
     </message>
     <message>
-        <source>Writes the form that the sections suggest, as a surface (%1), in place of the solids.</source>
-        <extracomment>%1 are ends of names, such as &quot;obj or stl&quot;</extracomment>
-        <translation>Schreibt die Form, die die Scheiben andeuten, als Fläche (%1), an Stelle der Körper.</translation>
         <source>How long to search (10); 0 takes the first layout.</source>
         <translation>Wie lange gesucht wird (10); 0 nimmt die erste Anordnung.</translation>
     </message>
@@ -7984,6 +7980,16 @@
         <source>%1: this item is too large for the strip.</source>
         <extracomment>%1 is a file and a place in it</extracomment>
         <translation>%1: Dieses Stück ist zu groß für den Streifen.</translation>
+    </message>
+    <message>
+        <source>Writes the form that the sections suggest, as a surface (%1), in place of the solids.</source>
+        <extracomment>%1 are ends of names, such as &quot;obj or stl&quot;</extracomment>
+        <translation>Schreibt die Form, die die Scheiben andeuten, als Fläche (%1), an Stelle der Körper.</translation>
+    </message>
+    <message>
+        <source>Would hold %1.</source>
+        <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
+        <translation>Hielte, %1.</translation>
     </message>
 </context>
 <context>
