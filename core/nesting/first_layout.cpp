@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostRows = 48, kLeastRows = 12;
 constexpr int kRowsForAll = 6000; // rows of all pieces together
 /// So many pieces are tried in several orders and with all of their turns.
-constexpr std::size_t kFewPieces = 400, kTurnsOfMany = 4;
+constexpr std::size_t kFewPieces = 100, kTurnsOfMany = 4;
 /// A sheet without room for a piece is asked again for one with less than this of its area.
 constexpr double kSmaller = 0.8;
 
