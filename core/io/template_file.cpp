@@ -1,5 +1,6 @@
 #include "core/io/template_file.h"
 
+#include "core/base/tolerances.h"
 #include "core/io/blobs.h"
 #include "core/io/compressed.h"
 #include "core/io/document_file.h"

@@ -227,7 +227,7 @@ void FlatGroup::showPlane()
     const auto world = one ? worldFrame(*one, m_bench.session().model()) : std::nullopt;
     const Vec3 normal = world ? Vec3(world->normal().cwiseAbs()) : Vec3(Vec3::Zero());
     const auto isAlong = [&](int axis) { return normal[axis] >= kSameDirectionAs; };
-    const bool isOnSection = one && one->on;
+    const bool isOnSection = one && one->on != SectionRef();
     const std::array<bool, 4> lies{!isOnSection && isAlong(1), !isOnSection && isAlong(2),
                                    !isOnSection && isAlong(0), isOnSection};
     for (std::size_t i = 0; i < lies.size(); ++i)

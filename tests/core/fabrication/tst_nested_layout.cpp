@@ -53,7 +53,7 @@ QString oracleOf(const Layout &layout, const std::vector<Part> &parts, const Nes
         for (const Placement &placement : sheet.placements)
             solution.places.push_back({placement.part, index, placement.turn, placement.offset});
     }
-    return whatIsWrong(problem, solution);
+    return test::whatIsWrong(problem, solution);
 }
 
 } // namespace

@@ -27,7 +27,7 @@ private Q_SLOTS:
 
 namespace {
 
-double distanceTo(const Vec2 &p, const Vec2 &start, const ArcStep &step)
+double distanceToArcs(const Vec2 &p, const Vec2 &start, const ArcStep &step)
 {
     if (step.bulge == 0.0) {
         const Vec2 way = step.end - start;
@@ -43,12 +43,12 @@ double distanceTo(const Vec2 &p, const Vec2 &start, const ArcStep &step)
                : std::min((p - start).norm(), (p - step.end).norm());
 }
 
-double distanceTo(const Vec2 &p, const Vec2 &start, const std::vector<ArcStep> &steps)
+double distanceToArcs(const Vec2 &p, const Vec2 &start, const std::vector<ArcStep> &steps)
 {
     double least = 1e9;
     Vec2 at = start;
     for (const ArcStep &step : steps) {
-        least = std::min(least, distanceTo(p, at, step));
+        least = std::min(least, distanceToArcs(p, at, step));
         at = step.end;
     }
     return least;
@@ -118,7 +118,7 @@ void TestArcFit::arcsStayWithinTheTolerance()
         std::vector<Vec2> points;
         for (int i = 0; i <= kSamples; ++i) {
             points.push_back(curve.at(static_cast<double>(i) / kSamples));
-            const double away = distanceTo(points.back(), curve.p0, steps);
+            const double away = distanceToArcs(points.back(), curve.p0, steps);
             QVERIFY2(away <= most, qPrintable(QString::number(away)));
         }
         Vec2 at = curve.p0;
@@ -129,7 +129,7 @@ void TestArcFit::arcsStayWithinTheTolerance()
                 double least = 1e9; // to the chords of the samples, which are off by little
                 for (std::size_t i = 0; i + 1 < points.size(); ++i)
                     if (points[i] != points[i + 1])
-                        least = std::min(least, distanceTo(p, points[i], {points[i + 1], 0.0}));
+                        least = std::min(least, distanceToArcs(p, points[i], {points[i + 1], 0.0}));
                 QVERIFY2(least <= most + 0.01, qPrintable(QString::number(least)));
             }
             at = step.end;

@@ -70,22 +70,30 @@ void TestFormatFilters::inEnglish()
     QCOMPARE(ui::modelFilter(), QStringLiteral("Models (*.fff *.txt);;All files (*)"));
     QCOMPARE(ui::drawingFilter(), QStringLiteral("Drawings (*.svg *.svgz);;All files (*)"));
     QCOMPARE(ui::saveFilter(), QStringLiteral("FlatFitFab models (*.fff)"));
-    QCOMPARE(
-        exported(),
-        QStringList{
-            u"SVG, true to size (*.svg)"_s,          u"SVG, one for each sheet (*.svg)"_s,
-            u"DXF, true to size (*.dxf)"_s,          u"DXF, one for each sheet (*.dxf)"_s,
-            u"DXF for old programs, R12 (*.dxf)"_s,  u"PDF, a page for each sheet (*.pdf)"_s,
-            u"PDF, tiled on A4 (*.pdf)"_s,           u"PDF, tiled on Letter (*.pdf)"_s,
-            u"LightBurn project (*.lbrn2)"_s,        u"LightBurn, one for each sheet (*.lbrn2)"_s,
-            u"G-code for GRBL lasers (*.gcode)"_s,   u"G-code, one for each sheet (*.gcode)"_s,
-            u"Parts list for spreadsheets (*.csv)",  u"Picture of the sheets (*.png)",
-            u"Pictures, one for each sheet (*.png)", u"All for the workshop, packed (*.zip)"_s,
-            u"OBJ, solids in place (*.obj)"_s,       u"STL, solids in place (*.stl)"_s,
-            u"STL, solids lying flat (*.stl)"_s,     u"3MF, solids in place (*.3mf)"_s,
-            u"3MF, solids lying flat (*.3mf)"_s,     u"OBJ, skin as a mesh (*.obj)"_s,
-            u"STL, skin as a mesh (*.stl)"_s}
-            .join(u'|'));
+    const QStringList expected{u"SVG, true to size (*.svg)"_s,
+                               u"SVG, one for each sheet (*.svg)"_s,
+                               u"DXF, true to size (*.dxf)"_s,
+                               u"DXF, one for each sheet (*.dxf)"_s,
+                               u"DXF for old programs, R12 (*.dxf)"_s,
+                               u"PDF, a page for each sheet (*.pdf)"_s,
+                               u"PDF, tiled on A4 (*.pdf)"_s,
+                               u"PDF, tiled on Letter (*.pdf)"_s,
+                               u"LightBurn project (*.lbrn2)"_s,
+                               u"LightBurn, one for each sheet (*.lbrn2)"_s,
+                               u"G-code for GRBL lasers (*.gcode)"_s,
+                               u"G-code, one for each sheet (*.gcode)"_s,
+                               u"Parts list for spreadsheets (*.csv)"_s,
+                               u"Picture of the sheets (*.png)"_s,
+                               u"Pictures, one for each sheet (*.png)"_s,
+                               u"All for the workshop, packed (*.zip)"_s,
+                               u"OBJ, solids in place (*.obj)"_s,
+                               u"STL, solids in place (*.stl)"_s,
+                               u"STL, solids lying flat (*.stl)"_s,
+                               u"3MF, solids in place (*.3mf)"_s,
+                               u"3MF, solids lying flat (*.3mf)"_s,
+                               u"OBJ, skin as a mesh (*.obj)"_s,
+                               u"STL, skin as a mesh (*.stl)"_s};
+    QCOMPARE(exported(), expected.join(u'|'));
     QCOMPARE(notAModel(),
              QStringLiteral("b.png is not a model. FlatFitFab opens .fff and FlatFab’s .txt."));
 }
@@ -102,22 +110,20 @@ void TestFormatFilters::inGerman()
     QCOMPARE(models, QStringLiteral("Modelle (*.fff *.txt);;Alle Dateien (*)"));
     QCOMPARE(drawings, QStringLiteral("Zeichnungen (*.svg *.svgz);;Alle Dateien (*)"));
     QCOMPARE(saved, QStringLiteral("FlatFitFab-Modelle (*.fff)"));
-    QCOMPARE(
-        kinds,
-        QStringList{
-            u"SVG in Originalgröße (*.svg)"_s,        u"SVG, eine je Platte (*.svg)"_s,
-            u"DXF in Originalgröße (*.dxf)"_s,        u"DXF, eine je Platte (*.dxf)"_s,
-            u"DXF für alte Programme, R12 (*.dxf)"_s, u"PDF, eine Seite je Platte (*.pdf)"_s,
-            u"PDF, auf A4 verteilt (*.pdf)"_s,        u"PDF, auf Letter verteilt (*.pdf)"_s,
-            u"LightBurn-Projekt (*.lbrn2)"_s,         u"LightBurn, eins je Platte (*.lbrn2)"_s,
-            u"G-Code für GRBL-Laser (*.gcode)"_s,     u"G-Code, einer je Platte (*.gcode)"_s,
-            u"Stückliste für Tabellen (*.csv)",       u"Bild der Platten (*.png)",
-            u"Bilder, eins je Platte (*.png)",        u"Alles für die Werkstatt, gepackt (*.zip)"_s,
-            u"OBJ, Körper an ihrem Platz (*.obj)"_s,  u"STL, Körper an ihrem Platz (*.stl)"_s,
-            u"STL, Körper flach liegend (*.stl)"_s,   u"3MF, Körper an ihrem Platz (*.3mf)"_s,
-            u"3MF, Körper flach liegend (*.3mf)"_s,   u"OBJ, Haut als Netz (*.obj)"_s,
-            u"STL, Haut als Netz (*.stl)"_s}
-            .join(u'|'));
+    const QStringList expected{
+        u"SVG in Originalgröße (*.svg)"_s,        u"SVG, eine je Platte (*.svg)"_s,
+        u"DXF in Originalgröße (*.dxf)"_s,        u"DXF, eine je Platte (*.dxf)"_s,
+        u"DXF für alte Programme, R12 (*.dxf)"_s, u"PDF, eine Seite je Platte (*.pdf)"_s,
+        u"PDF, auf A4 verteilt (*.pdf)"_s,        u"PDF, auf Letter verteilt (*.pdf)"_s,
+        u"LightBurn-Projekt (*.lbrn2)"_s,         u"LightBurn, eins je Platte (*.lbrn2)"_s,
+        u"G-Code für GRBL-Laser (*.gcode)"_s,     u"G-Code, einer je Platte (*.gcode)"_s,
+        u"Stückliste für Tabellen (*.csv)"_s,     u"Bild der Platten (*.png)"_s,
+        u"Bilder, eins je Platte (*.png)"_s,      u"Alles für die Werkstatt, gepackt (*.zip)"_s,
+        u"OBJ, Körper an ihrem Platz (*.obj)"_s,  u"STL, Körper an ihrem Platz (*.stl)"_s,
+        u"STL, Körper flach liegend (*.stl)"_s,   u"3MF, Körper an ihrem Platz (*.3mf)"_s,
+        u"3MF, Körper flach liegend (*.3mf)"_s,   u"OBJ, Haut als Netz (*.obj)"_s,
+        u"STL, Haut als Netz (*.stl)"_s};
+    QCOMPARE(kinds, expected.join(u'|'));
     QCOMPARE(said,
              QStringLiteral("b.png ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab."));
 }
