@@ -8,6 +8,7 @@
 #include <QtGui/QImageReader>
 
 #include <cmath>
+#include <cstdint>
 
 namespace fff::io {
 
@@ -59,9 +60,11 @@ TemplatePicturePointer pixelsOf(const QImage &image)
 Result<void> checkedPixels(std::int64_t width, std::int64_t height, const std::string &name,
                            std::int64_t mostPixels)
 {
-    if (width * height > mostPixels)
+    // Headers have 32 bits for each: the product of two such is no signed number any more.
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (pixels > static_cast<std::uint64_t>(mostPixels))
         return failure(ErrorCode::BadCount, name,
-                       {std::to_string(width * height), std::to_string(mostPixels),
+                       {std::to_string(pixels), std::to_string(mostPixels),
                         QT_TRANSLATE_NOOP("Error", "pixels")});
     return {};
 }

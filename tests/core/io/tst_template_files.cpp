@@ -358,6 +358,8 @@ void TestTemplateFiles::picturesThatAreNasty_data()
         "a.png: found 10000000000 pixels, expected at most 64000000 pixels");
     row("as many as fit into a number", pngOfSize(0x7FFFFFFF, 0x7FFFFFFF),
         "a.png: found 4611686014132420609 pixels");
+    row("more than a number with a sign can be", pngOfSize(0xFFFFFFFF, 0xFFFFFFFF),
+        "a.png: found 18446744065119617025 pixels");
     row("fewer rows than it says", pngOfSize(6000, 6000), "a.png: the picture is damaged");
     row("GIF", dataFile("moving.gif"),
         "a.png: found \"GIF\", expected a picture as PNG, JPEG or WebP");
