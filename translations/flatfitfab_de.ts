@@ -9305,9 +9305,9 @@
         <translation>Umrisse</translation>
     </message>
     <message>
-        <source>%1, too many for sections</source>
+        <source>%1: too many for sections</source>
         <extracomment>%1 is a number of outlines</extracomment>
-        <translation>%1, zu viele für Scheiben</translation>
+        <translation>%1: zu viele für Scheiben</translation>
     </message>
     <message>
         <source>Make sections</source>

@@ -260,7 +260,7 @@ void TestPictureWindow::tooManyForSectionsIsSaid()
     clickRow(0);
     foldTrace();
     QTRY_COMPARE(outlines().size(), std::size_t(225));
-    QCOMPARE(said(), QStringLiteral("225, too many for sections"));
+    QCOMPARE(said(), QStringLiteral("225: too many for sections"));
     push("flat.sections");
     QCOMPARE(count(), std::size_t(0));
     QCOMPARE(interaction().hint().words.text, hints::kTooManyOutlines);

@@ -148,7 +148,7 @@ QString FlatGroup::outlinesFound() const
         return QStringLiteral("…");
     const QString count = locale().toString(static_cast<qulonglong>(known->regions));
     //: %1 is a number of outlines
-    return known->regions > kMostPlacedSections ? tr("%1, too many for sections").arg(count)
+    return known->regions > kMostPlacedSections ? tr("%1: too many for sections").arg(count)
                                                 : count;
 }
 

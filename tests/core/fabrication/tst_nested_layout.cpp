@@ -76,11 +76,11 @@ private Q_SLOTS:
 void TestNestedLayout::trianglesShareTheirBoxes()
 {
     const Model model{newDocument(), {}};
-    const std::vector<Part> parts = triangles(16, model.document.currentStock);
+    const std::vector<Part> parts = triangles(12, model.document.currentStock);
     NestOptions options;
     options.layout.sheet = Vec2(600, 230);
     options.turning = Turning::Half;
-    options.work = nest::workOf(0.3);
+    options.work = nest::workOf(1.0);
     const NestedLayout nested = nestOut(parts, model, options);
     QCOMPARE(oracleOf(nested.layout, parts, options), QString());
     QVERIFY(nested.layout.oversized.empty());

@@ -368,8 +368,11 @@ void TestExportDialog::solidsHaveNoSheets()
         QTest::keyClick(box, Qt::Key_End);
         QCOMPARE(box->currentText(), QStringLiteral("STL, skin as a mesh"));
         QCOMPARE(textOf(dialog, "exportTotals"), QStringLiteral("Skin over <b>1 section</b>"));
-        QTest::keyClick(box, Qt::Key_Up);
-        QTest::keyClick(box, Qt::Key_Up);
+        while (!box->currentText().startsWith(QStringLiteral("OBJ, solids"))) {
+            const int before = box->currentIndex();
+            QTest::keyClick(box, Qt::Key_Up);
+            QVERIFY(box->currentIndex() < before);
+        }
         for (const char *name : {"exportSheet", "exportKerf", "exportSpacing", "exportTabs"})
             QVERIFY2(!dialog->findChild<QWidget *>(QLatin1String(name))->isVisible(), name);
         QVERIFY(dialog->findChild<QWidget *>(QStringLiteral("exportClearance"))->isVisible());
