@@ -20,6 +20,7 @@ namespace fff::io {
 namespace {
 
 constexpr std::size_t kMostMachines = 1000, kMostGCodeLines = 100, kMostGCodeLine = 120;
+constexpr double kLeastSpeed = 1e-3, kLeastStroke = 1e-3; // mm/s, mm: nothing moves, or is seen
 constexpr double kMostSpeed = 10'000.0, kMostBed = 100'000.0, kMostStroke = 10.0; // mm/s, mm
 constexpr double kMostPowerValue = 1e6;
 constexpr int kLightBurnLayers = 32;
@@ -71,8 +72,8 @@ std::uint32_t colourAt(const JsonCursor &cursor)
 void readColours(const JsonCursor &cursor, Machine &machine)
 {
     ifThere(cursor, "stroke", [&](const JsonCursor &stroke) {
-        machine.stroke =
-            within(stroke, 1e-3, kMostStroke, QT_TRANSLATE_NOOP("Error", "a width of lines in mm"));
+        machine.stroke = within(stroke, kLeastStroke, kMostStroke,
+                                QT_TRANSLATE_NOOP("Error", "a width of lines in mm"));
     });
     for (const auto &[key, purpose] : kPurposeKeys) {
         const JsonCursor colour = cursor.member(key);
@@ -101,7 +102,8 @@ void forProcesses(const JsonCursor &cursor, Machine &machine, const Set &set)
 void readSpeeds(const JsonCursor &cursor, Machine &machine)
 {
     const auto speed = [](const JsonCursor &value) {
-        return within(value, 1e-3, kMostSpeed, QT_TRANSLATE_NOOP("Error", "a speed in mm/s"));
+        return within(value, kLeastSpeed, kMostSpeed,
+                      QT_TRANSLATE_NOOP("Error", "a speed in mm/s"));
     };
     forProcesses(cursor, machine, [&](const JsonCursor &value, Machine::Process &process) {
         process.speed = speed(value);

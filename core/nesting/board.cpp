@@ -9,6 +9,8 @@ namespace {
 
 /// Cells of about the size of what is expected to lie there, but not too many.
 constexpr double kMostCells = 200.0; // along one side
+/// mm: what is divided by is no less, where shapes or sheets have no size at all.
+constexpr double kNoSize = 1e-9;
 
 } // namespace
 
@@ -25,12 +27,13 @@ Board::Board(std::span<const Shape> shapes, std::vector<Box2> sheets, std::size_
     const Vec2 size = all.size();
     const auto cellsAlong = [&](double length) {
         const double most = std::min(kMostCells, 2.0 + static_cast<double>(expected));
-        return std::max(1, static_cast<int>(std::min(most, 1.5 * length / std::max(side, 1e-9))));
+        return std::max(1,
+                        static_cast<int>(std::min(most, 1.5 * length / std::max(side, kNoSize))));
     };
     m_origin = all.min;
     m_columns = cellsAlong(size.x());
     m_rows = cellsAlong(size.y());
-    m_cell = size.cwiseQuotient(Vec2(m_columns, m_rows)).cwiseMax(1e-9);
+    m_cell = size.cwiseQuotient(Vec2(m_columns, m_rows)).cwiseMax(kNoSize);
     m_buckets.resize(static_cast<std::size_t>(m_columns * m_rows));
 }
 

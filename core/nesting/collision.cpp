@@ -135,6 +135,9 @@ Depth depth(const Poles &a, const Poles &b, const Vec2 &by, float soft)
 
 namespace {
 
+/// Of the coordinates: more than rounding, less than what shapes are larger than they have to be.
+constexpr double kApart = 1e-12;
+
 /// Where along the way two edges meet.
 struct Stretch
 {
@@ -241,9 +244,8 @@ double wayOut(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, Steps &
     });
     std::sort(stretches.begin(), stretches.end(),
               [](const Stretch &p, const Stretch &q) { return p.from < q.from; });
-    // More than rounding, less than what shapes are larger than they have to be.
-    const double apart = 1e-12 * (1.0 + a.box.size().maxCoeff() + b.box.size().maxCoeff() +
-                                  by.cwiseAbs().maxCoeff());
+    const double apart = kApart * (1.0 + a.box.size().maxCoeff() + b.box.size().maxCoeff() +
+                                   by.cwiseAbs().maxCoeff());
     double way = 0.0;
     for (const Stretch &stretch : stretches) {
         if (stretch.from > way + apart && !isOneInOther(a, b, by + way * unit(axis)))
