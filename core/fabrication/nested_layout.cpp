@@ -1,9 +1,14 @@
 #include "core/fabrication/nested_layout.h"
 
 #include "core/base/tolerances.h"
+#include "core/fabrication/pins.h"
+#include "core/geometry/turning.h"
 #include "core/nesting/nester.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 
 namespace fff {
 
@@ -14,7 +19,9 @@ struct StockParts
 {
     StockId stock;
     Vec2 sheet = Vec2::Zero();
-    std::vector<int> parts;
+    std::vector<int> parts; // that are to be laid
+    std::vector<PinnedPart> pinned;
+    std::size_t count = 0; // of both
 };
 
 std::vector<StockParts> byStock(const std::vector<Part> &parts, const Model &model,
@@ -22,14 +29,34 @@ std::vector<StockParts> byStock(const std::vector<Part> &parts, const Model &mod
 {
     std::vector<StockParts> stocks;
     for (const auto &stock : model.document.stocks) {
-        StockParts of{stock->id, options.sheet.value_or(stock->sheet), {}};
+        StockParts of{stock->id, options.sheet.value_or(stock->sheet), {}, {}, 0};
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (parts[i].stock == stock->id)
                 of.parts.push_back(static_cast<int>(i));
+        of.count = of.parts.size();
         if (!of.parts.empty())
             stocks.push_back(std::move(of));
     }
     return stocks;
+}
+
+/// Takes what is pinned, and sound, out of what is to be laid.
+void pin(const std::vector<Part> &parts, const NestOptions &options, StockParts &stock,
+         std::vector<int> &loosened)
+{
+    std::vector<PinnedPart> wished;
+    for (const PinnedPart &one : options.pinned)
+        if (std::find(stock.parts.begin(), stock.parts.end(), one.part) != stock.parts.end())
+            wished.push_back(one);
+    if (wished.empty())
+        return;
+    SoundPins sound = soundPins(parts, stock.sheet, options.layout, std::move(wished));
+    std::set<int> stay;
+    for (const PinnedPart &one : sound.pinned)
+        stay.insert(one.part);
+    std::erase_if(stock.parts, [&](int part) { return stay.contains(part); });
+    stock.pinned = std::move(sound.pinned);
+    loosened.insert(loosened.end(), sound.loosened.begin(), sound.loosened.end());
 }
 
 nest::Turning turningOf(const NestOptions &options, int part)
@@ -38,10 +65,12 @@ nest::Turning turningOf(const NestOptions &options, int part)
     return index < options.turnings.size() ? options.turnings[index] : options.turning;
 }
 
-nest::Piece pieceOf(const Part &part, nest::Turning turning, const Vec2 &room)
+nest::Piece pieceOf(const Part &part, nest::Turning turning, bool hasHoles, const Vec2 &room)
 {
     nest::Piece piece;
     piece.outline = part.outline.region;
+    if (!hasHoles)
+        piece.outline.holes.clear();
     piece.turns = nest::turnsOf(turning);
     piece.turnsFreely = turning == nest::Turning::Free;
     // Where a long part fits the sheet by no turn that it would begin with.
@@ -51,31 +80,45 @@ nest::Piece pieceOf(const Part &part, nest::Turning turning, const Vec2 &room)
     return piece;
 }
 
+/// With pinned parts each sheet that has some is a kind of its own, once, in their order, and the
+/// plain one comes after them.
 nest::Problem problemOf(const std::vector<Part> &parts, const StockParts &stock,
-                           const NestOptions &options)
+                        const NestOptions &options)
 {
     const Vec2 &size = stock.sheet;
-    nest::Problem problem;
-    problem.margin = options.layout.margin;
-    problem.spacing = options.layout.spacing;
-    problem.chord = kCutChord;
-    problem.sheets = {{{{Vec2::Zero(), {size.x(), 0.0}, size, {0.0, size.y()}}, {}},
-                       nest::SheetKind::kUnlimited}};
+    nest::Problem problem = stock.pinned.empty()
+                                ? plainSheets(size, options.layout)
+                                : sheetsAround(parts, size, options.layout, stock.pinned);
     // Chords of an outline may be within it by that much, and so do its pieces have to be.
     const Vec2 room = roomOf(size, options.layout) - Vec2::Constant(2.0 * kCutChord);
     for (const int part : stock.parts)
-        problem.pieces.push_back(
-            pieceOf(parts[static_cast<std::size_t>(part)], turningOf(options, part), room));
+        problem.pieces.push_back(pieceOf(parts[static_cast<std::size_t>(part)],
+                                         turningOf(options, part), options.fillsHoles, room));
     return problem;
 }
 
+/// Sheets with pinned parts first, in their order, whether or not others came to lie there.
 void addSheets(const nest::Solution &solution, const StockParts &stock, Layout &layout)
 {
-    const std::size_t first = layout.sheets.size();
-    layout.sheets.resize(first + solution.sheets.size(), Sheet{stock.stock, stock.sheet, {}});
-    for (const nest::Place &place : solution.places)
-        layout.sheets[first + static_cast<std::size_t>(place.sheet)].placements.push_back(
+    std::map<int, Sheet> sheets; // by the kinds of those with pinned parts, then one by one
+    for (const PinnedPart &one : stock.pinned) {
+        Sheet &sheet = sheets[one.sheet];
+        sheet = {stock.stock, stock.sheet, std::move(sheet.placements)};
+        sheet.placements.push_back({one.part, one.turn, one.offset});
+    }
+    const int kinds = stock.pinned.empty() ? 0 : kindsAround(stock.pinned);
+    const auto keyOf = [&](int sheet) {
+        const int kind = solution.sheets[static_cast<std::size_t>(sheet)];
+        return kind < kinds ? kind : kinds + sheet;
+    };
+    for (const nest::Place &place : solution.places) {
+        Sheet &sheet = sheets[keyOf(place.sheet)];
+        sheet = {stock.stock, stock.sheet, std::move(sheet.placements)};
+        sheet.placements.push_back(
             {stock.parts[static_cast<std::size_t>(place.piece)], place.turn, place.offset});
+    }
+    for (auto &[key, sheet] : sheets)
+        layout.sheets.push_back(std::move(sheet));
 }
 
 void addOversized(int index, const Part &part, const LayoutOptions &options, Layout &layout)
@@ -102,7 +145,7 @@ bool mayTurnAsBoxes(const NestOptions &options)
 void takeBetter(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
                 Layout &layout)
 {
-    if (!mayTurnAsBoxes(options))
+    if (!options.pinned.empty() || !mayTurnAsBoxes(options))
         return;
     const auto isFree = [](nest::Turning turning) { return turning == nest::Turning::Free; };
     LayoutOptions ofBoxes = options.layout;
@@ -114,6 +157,25 @@ void takeBetter(const std::vector<Part> &parts, const Model &model, const NestOp
         layout = std::move(boxes);
 }
 
+bool isOfOversized(const Sheet &sheet, const Layout &layout)
+{
+    return !sheet.placements.empty() &&
+           std::find(layout.oversized.begin(), layout.oversized.end(),
+                     sheet.placements.front().part) != layout.oversized.end();
+}
+
+/// How far up its parts reach, mm.
+double usedHeight(const Sheet &sheet, const std::vector<Part> &parts)
+{
+    double height = 0.0;
+    for (const Placement &placement : sheet.placements) {
+        const Part &part = parts[static_cast<std::size_t>(placement.part)];
+        height = std::max(height, turnedBounds(part.outline.region.outer, placement.turn).max.y() +
+                                      placement.offset.y());
+    }
+    return height;
+}
+
 } // namespace
 
 NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
@@ -121,9 +183,9 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
 {
     NestedLayout nested;
     double done = 0.0; // share of the parts
-    for (const StockParts &stock : byStock(parts, model, options.layout)) {
-        const double share =
-            static_cast<double>(stock.parts.size()) / static_cast<double>(parts.size());
+    for (StockParts &stock : byStock(parts, model, options.layout)) {
+        pin(parts, options, stock, nested.loosened);
+        const double share = static_cast<double>(stock.count) / static_cast<double>(parts.size());
         nest::Options of;
         of.seed = options.seed;
         of.work = static_cast<std::int64_t>(share * static_cast<double>(options.work));
@@ -131,7 +193,8 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
         const LongWork part{longWork.stop,
                             [&](double within) { longWork.tell(done + share * within); }};
         const nest::Solution solution =
-            nest::nestPieces(problemOf(parts, stock, options), of, part);
+            stock.parts.empty() ? nest::Solution()
+                                : nest::nestPieces(problemOf(parts, stock, options), of, part);
         nested.work += solution.work;
         addSheets(solution, stock, nested.layout);
         for (const int piece : solution.left) {
@@ -143,6 +206,35 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
     }
     takeBetter(parts, model, options, nested.layout);
     return nested;
+}
+
+double takenArea(const Layout &layout, const std::vector<Part> &parts, const LayoutOptions &options)
+{
+    double area = 0.0;
+    std::set<StockId> seen; // from behind: the first one of a stock is its last
+    for (auto sheet = layout.sheets.rbegin(); sheet != layout.sheets.rend(); ++sheet) {
+        if (isOfOversized(*sheet, layout))
+            continue;
+        const bool isLast = seen.insert(sheet->stock).second;
+        const double height =
+            isLast ? std::min(sheet->size.y(), usedHeight(*sheet, parts) + options.margin)
+                   : sheet->size.y();
+        area += sheet->size.x() * height;
+    }
+    return area;
+}
+
+double filledShare(const Layout &layout, const std::vector<Part> &parts,
+                   const LayoutOptions &options)
+{
+    const double taken = takenArea(layout, parts, options);
+    double covered = 0.0;
+    for (const Sheet &sheet : layout.sheets)
+        if (!isOfOversized(sheet, layout))
+            for (const Placement &placement : sheet.placements)
+                covered += std::abs(
+                    area(parts[static_cast<std::size_t>(placement.part)].outline.region));
+    return taken > 0.0 ? covered / taken : 0.0;
 }
 
 } // namespace fff

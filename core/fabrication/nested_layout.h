@@ -7,32 +7,62 @@
 
 namespace fff {
 
+/// A part that lies where a person, or an earlier layout, has put it.
+struct PinnedPart
+{
+    int part = 0;              // index into the parts
+    int sheet = 0;             // index among the sheets of its stock
+    Vec2 turn = Vec2::UnitX(); // as a Placement's
+    Vec2 offset = Vec2::Zero();
+    bool yields = false; // to those that do not, where both cannot stay
+
+    bool operator==(const PinnedPart &) const = default;
+};
+
 struct NestOptions
 {
     LayoutOptions layout; // `turnsFreely` is not looked at:
     nest::Turning turning = nest::Turning::Free;
     std::vector<nest::Turning> turnings; // of each part, where there is one, in place of that
+    bool fillsHoles = true;              // parts may lie in holes of others
+    std::vector<PinnedPart> pinned;      // the others lie around them
 
     std::uint64_t seed = 1;
     std::int64_t work = 0; // for all stocks together, see nest::Options
     bool usesThreads = true;
+
+    bool operator==(const NestOptions &) const = default;
 };
 
 struct NestedLayout
 {
     Layout layout;
-    std::int64_t work = 0; // that was done
+    std::int64_t work = 0;     // that was done
+    std::vector<int> loosened; // pinned parts that could not stay: too near to others, off the sheet
 };
 
 /// As layOut(), for the same sheets with the same margin and spacing; holes and bays of parts are
 /// room, too. Each stock by itself, with a share of the work that goes by its number of parts. What
 /// fits no sheet as it may be turned is oversized. Never more sheets than layOut() takes, where its
-/// turns are allowed.
+/// turns are allowed and nothing is pinned.
+///
+/// A pinned part stays to the last bit, at any angle, as long as it is sound there; holes of it are
+/// no room then. Of two that are too near to each other the later one is laid with the rest, or
+/// that which yields.
 ///
 /// Deterministic for the same parts, options and seed unless it is stopped; then what is best so
 /// far is given out. Proven before: outlines are off the edge by the margin, and off each other by
 /// the spacing (nesting/proof.h).
 NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
                      const LongWork &longWork = {});
+
+/// What a layout takes of its sheets, mm²: all of them, but of each stock's last one only as high as
+/// parts lie there, with the margin: the rest is whole. Not of oversized parts. The less of it, the
+/// better.
+double takenArea(const Layout &layout, const std::vector<Part> &parts,
+                 const LayoutOptions &options);
+/// How much of that parts cover, 0 … 1; 0 without sheets.
+double filledShare(const Layout &layout, const std::vector<Part> &parts,
+                   const LayoutOptions &options);
 
 } // namespace fff

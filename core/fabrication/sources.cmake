@@ -11,6 +11,7 @@ target_sources(fff_core PRIVATE
     fabrication/open_sheets.cpp
     fabrication/outline_size.cpp
     fabrication/part_list.cpp
+    fabrication/pins.cpp
     fabrication/parts.cpp
     fabrication/room.cpp
     fabrication/skyline.cpp
