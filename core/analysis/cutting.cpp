@@ -99,6 +99,30 @@ Result<void> judgeWritten(const Analysis &analysis, const Layout &layout,
     return {};
 }
 
+/// Each part once.
+bool isOf(const Layout &layout, std::size_t partCount)
+{
+    std::vector<int> times(partCount, 0);
+    for (const Sheet &sheet : layout.sheets)
+        for (const Placement &placement : sheet.placements) {
+            if (placement.part < 0 || static_cast<std::size_t>(placement.part) >= partCount)
+                return false;
+            ++times[static_cast<std::size_t>(placement.part)];
+        }
+    return std::all_of(times.begin(), times.end(), [](int count) { return count == 1; });
+}
+
+Layout layoutOf(const Model &model, const std::vector<Part> &parts, const CuttingOptions &options)
+{
+    if (options.lying && isOf(*options.lying, parts.size()))
+        return *options.lying;
+    if (!options.nesting)
+        return layOut(parts, model, options.layout);
+    NestOptions nesting = *options.nesting;
+    nesting.layout = options.layout;
+    return nestOut(parts, model, nesting).layout;
+}
+
 } // namespace
 
 tl::unexpected<Error> nothingToExport(const Analysis &analysis)
@@ -108,54 +132,69 @@ tl::unexpected<Error> nothingToExport(const Analysis &analysis)
                : failure(ErrorCode::NothingToExport, {}, {analysis.model.section(0)->name});
 }
 
-Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options)
+Result<CutParts> cutParts(const Analysis &analysis, bool compensatesKerf)
 {
     if (const Result<void> known = haveParts(analysis.model, analysis.bodies); !known)
         return tl::unexpected(known.error());
-    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
-    if (parts.empty())
+    CutParts made;
+    made.parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
+    if (made.parts.empty())
         return nothingToExport(analysis);
-    Cutting cutting;
+    Cutting &cutting = made.cutting;
     for (const int section : sectionsWithoutPart(analysis.bodies))
         cutting.withoutPart.push_back(
             analysis.model.section(static_cast<std::size_t>(section))->name);
-    cutting.partCount = static_cast<int>(parts.size());
-    std::vector<ListedPart> list = partList(parts, analysis.model); // as designed, without kerf
-    const auto slit = narrowestDrawn(analysis, options.compensatesKerf);
+    cutting.partCount = static_cast<int>(made.parts.size());
+    cutting.list = partList(made.parts, analysis.model);
+    const auto slit = narrowestDrawn(analysis, compensatesKerf);
     if (!slit)
         return tl::unexpected(slit.error());
     cutting.slit = *slit;
-    std::vector<Engraving> engravings;
-    for (const Part &part : parts) {
+    for (const Part &part : made.parts) {
         const Section &section = *analysis.model.section(static_cast<std::size_t>(part.section));
-        engravings.push_back(engrave(part, section.marks));
-        if (engravings.back().lines.error)
+        made.engravings.push_back(engrave(part, section.marks));
+        if (made.engravings.back().lines.error)
             return failure(ErrorCode::MarksNotCut, {}, {section.name});
-        if (!engravings.back().hasNumber)
+        if (!made.engravings.back().hasNumber)
             addOnce(cutting.unmarked, nameOf(analysis, part));
-        if (!engravings.back().jointsLeftOut.empty())
+        if (!made.engravings.back().jointsLeftOut.empty())
             addOnce(cutting.unmarkedJoints, nameOf(analysis, part));
     }
-    if (options.compensatesKerf) {
-        auto paths = compensateKerf(parts, analysis.model, analysis.bodies);
+    made.isKerfApplied = compensatesKerf;
+    if (compensatesKerf) {
+        auto paths = compensateKerf(made.parts, analysis.model, analysis.bodies);
         if (!paths)
             return tl::unexpected(paths.error());
-        cutting.uncut = withUncutPlaces(analysis, parts, *paths);
-        parts = std::move(*paths);
+        cutting.uncut = withUncutPlaces(analysis, made.parts, *paths);
+        made.parts = std::move(*paths);
     }
-    const Layout layout = layOut(parts, analysis.model, options.layout);
-    if (options.compensatesKerf) {
-        if (const auto judged = judgeWritten(analysis, layout, parts); !judged)
+    return made;
+}
+
+Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout &layout,
+                          bool hasReference)
+{
+    if (parts.isKerfApplied) {
+        if (const auto judged = judgeWritten(analysis, layout, parts.parts); !judged)
             return tl::unexpected(judged.error());
     }
-    cutting.usedShare = usedShare(layout, parts);
+    Cutting cutting = std::move(parts.cutting);
+    cutting.usedShare = usedShare(layout, parts.parts);
     for (const int index : layout.oversized)
-        addOnce(cutting.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
+        addOnce(cutting.oversized, nameOf(analysis, parts.parts[static_cast<std::size_t>(index)]));
     cutting.drawing =
-        cuttingDrawing(layout, std::move(parts), std::move(engravings), analysis.model,
-                       {options.hasReference, options.compensatesKerf, options.machine});
-    cutting.drawing.list = std::move(list);
+        cuttingDrawing(layout, std::move(parts.parts), std::move(parts.engravings), analysis.model,
+                       {hasReference, parts.isKerfApplied});
     return cutting;
+}
+
+Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options)
+{
+    Result<CutParts> parts = cutParts(analysis, options.compensatesKerf);
+    if (!parts)
+        return tl::unexpected(std::move(parts.error()));
+    const Layout layout = layoutOf(analysis.model, parts->parts, options);
+    return cuttingOf(analysis, *std::move(parts), layout, options.hasReference);
 }
 
 } // namespace fff

@@ -4,6 +4,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/fabrication/cutting_drawing.h"
+#include "core/fabrication/nested_layout.h"
 #include "core/fabrication/part_list.h"
 
 #include <memory>
@@ -16,6 +17,9 @@ namespace fff {
 struct CuttingOptions
 {
     LayoutOptions layout;
+    std::optional<NestOptions> nesting = {}; // by true outlines, with `layout`; none: by boxes
+    /// How the parts lie already, with these options; null: they are to be laid.
+    std::shared_ptr<const Layout> lying = {};
     bool compensatesKerf = true; // each cut path offset by half its stock's kerf
     bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
     std::shared_ptr<const Machine> machine = nullptr; // that it is for; none: no particular one
@@ -42,10 +46,25 @@ struct Cutting
     int sheetCount() const { return static_cast<int>(drawing.sheets.size()); }
 };
 
+/// All of a cutting but where its parts lie.
+struct CutParts
+{
+    std::vector<Part> parts; // as they are cut
+    std::vector<Engraving> engravings;
+    Cutting cutting; // without a drawing
+    bool isKerfApplied = false;
+};
+
 /// Errors  NothingToExport for a model without sections, or of which slits leave nothing; as
 /// haveParts(); MarksNotCut; ClosedSlit for a slit that the kerf closes, CannotOffset for a part
 /// without a path, with the section's name.
 Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options = {});
+
+/// Its two steps.
+Result<CutParts> cutParts(const Analysis &analysis, bool compensatesKerf);
+/// layout  of these parts, which are the analysis's
+Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout &layout,
+                          bool hasReference);
 
 /// Of a model that has no part: whether because it has no section, or because slits leave nothing.
 tl::unexpected<Error> nothingToExport(const Analysis &analysis);

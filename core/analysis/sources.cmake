@@ -57,8 +57,10 @@ target_sources(fff_core PRIVATE
     analysis/gap.cpp
     analysis/holding.cpp
     analysis/joining_move.cpp
+    analysis/lying_parts.cpp
     analysis/mends.cpp
     analysis/movement.cpp
+    analysis/nested.cpp
     analysis/outlined_sections.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp

@@ -30,11 +30,14 @@ struct StageOf
     std::string_view name;
 };
 
+struct SheetsQuestion;
+
 /// What a person asks besides the checks; each costs more than anybody waits for unasked.
 struct Questions
 {
     std::optional<SectionRef> bearing = {}; // where this section is strong enough (bearing_map.h)
     bool skin = false;                      // what form the sections suggest (core/skin/skin.h)
+    std::shared_ptr<const SheetsQuestion> sheets = {}; // how parts lie on them (nested.h)
 
     bool operator==(const Questions &) const = default;
 };

@@ -6,6 +6,7 @@
 #include "core/analysis/asked_skin.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/mends.h"
+#include "core/analysis/nested.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/pulling.h"
 #include "core/analysis/verdicts.h"
@@ -35,6 +36,8 @@ std::vector<Stage> allStages()
                   {kAnalysed.name, kRules.name, kQuestions.name}, WhenSettled, askedBearing),
         makeStage(kSkin, FFF_TEXT("Stage", "the skin"), {kModel.name, kQuestions.name}, WhenSettled,
                   askedSkin),
+        makeStage(kNested, FFF_TEXT("Stage", "how parts lie on the sheets"),
+                  {kAnalysed.name, kQuestions.name}, WhenSettled, nested),
         makeStage(kPulled, FFF_TEXT("Stage", "what magnets make of templates"), {kModel.name},
                   Always, pulled),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),

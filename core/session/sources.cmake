@@ -33,6 +33,7 @@ target_sources(fff_session PRIVATE
     session_commands.cpp
     session_host.cpp
     set_aside.cpp
+    sheet_nesting.cpp
     skin_commands.cpp
     slot_blobs.cpp
     slot_files.cpp

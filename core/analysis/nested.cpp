@@ -1,0 +1,171 @@
+#include "core/analysis/nested.h"
+
+#include "core/analysis/analysed.h"
+#include "core/analysis/lying_parts.h"
+#include "core/nesting/nester.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+double secondsFor(const SheetsQuestion &question)
+{
+    switch (question.level) {
+    case NestLevel::Quick:
+        break;
+    case NestLevel::Good:
+        return kGoodSeconds;
+    case NestLevel::Best:
+        return secondsOfRound(question.round);
+    }
+    return 0.0;
+}
+
+/// How they are laid when nothing lies there but what is pinned.
+NestOptions optionsFor(const SheetsQuestion &question, const BodiesOfParts &bodies)
+{
+    NestOptions options = question.nesting;
+    options.pinned = pinnedParts(question.pinned, bodies);
+    options.work = nest::workOf(secondsFor(question));
+    if (question.level == NestLevel::Best)
+        options.seed += static_cast<std::uint64_t>(question.round);
+    return options;
+}
+
+std::size_t sheetCount(const Layout &layout)
+{
+    return layout.sheets.size();
+}
+
+bool isBetter(const Layout &a, const Layout &b, const std::vector<Part> &parts,
+              const LayoutOptions &options)
+{
+    const auto key = [&](const Layout &layout) {
+        return std::pair(layout.oversized.size(), takenArea(layout, parts, options));
+    };
+    return key(a) < key(b);
+}
+
+/// Without what lay before: null.
+const Nested *before(const Nested *previous, const SheetsQuestion &question)
+{
+    const bool isKnown = previous && previous->layout && previous->answers(question) &&
+                         previous->question->times == question.times;
+    return isKnown ? previous : nullptr;
+}
+
+/// What an edit has not changed stays; nothing where that is no good.
+std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part> &parts,
+                                      const BodiesOfParts &bodies, const Model &model,
+                                      NestOptions options)
+{
+    const std::optional<std::vector<PinnedPart>> lying =
+        lyingStill({last.analysis->model, last.parts->parts, *last.layout}, parts, bodies);
+    if (!lying)
+        return std::nullopt;
+    options.pinned.insert(options.pinned.end(), lying->begin(), lying->end());
+    NestedLayout kept = nestOut(parts, model, options);
+    if (sheetCount(kept.layout) > sheetCount(*last.layout) ||
+        kept.layout.oversized.size() > last.layout->oversized.size())
+        return std::nullopt;
+    // Of those that were to stay anyway.
+    const std::vector<PinnedPart> pinned = std::move(options.pinned);
+    std::erase_if(kept.loosened, [&](int part) {
+        return std::none_of(pinned.begin(), pinned.end(), [part](const PinnedPart &one) {
+            return one.part == part && !one.yields;
+        });
+    });
+    return kept;
+}
+
+/// How the same parts lay.
+NestedLayout asTheyLay(const Nested &last)
+{
+    return {*last.layout, 0, last.loosened};
+}
+
+NestedLayout laid(const Nested *last, bool areSameParts, const Nested &now,
+                  const BodiesOfParts &bodies, const LongWork &work)
+{
+    const SheetsQuestion &question = *now.question;
+    const Model &model = now.analysis->model;
+    const std::vector<Part> &parts = now.parts->parts;
+    const NestOptions options = optionsFor(question, bodies);
+    std::optional<NestedLayout> base;
+    if (last && areSameParts)
+        base = asTheyLay(*last);
+    else if (last && question.level == NestLevel::Quick)
+        base = afterEdit(*last, parts, bodies, model, options);
+    if (base && question.level == NestLevel::Quick)
+        return *std::move(base);
+    NestedLayout found = nestOut(parts, model, options, work);
+    if (base && !isBetter(found.layout, base->layout, parts, options.layout))
+        return *std::move(base);
+    return found;
+}
+
+/// What follows from how they lie.
+void finish(Nested &out)
+{
+    const LayoutOptions &options = out.question->nesting.layout;
+    Result<Cutting> cutting = cuttingOf(*out.analysis, *out.parts, *out.layout, true);
+    if (!cutting) {
+        out.why = std::move(cutting.error());
+        return;
+    }
+    out.filled = filledShare(*out.layout, out.parts->parts, options);
+    out.cutLength = cutLength(cutting->drawing);
+    out.cutting = std::make_shared<const Cutting>(*std::move(cutting));
+}
+
+} // namespace
+
+double secondsOfRound(int round)
+{
+    double seconds = kGoodSeconds;
+    for (int i = 0; i < round && seconds < kMostRoundSeconds; ++i)
+        seconds *= 2.0;
+    return std::min(seconds, kMostRoundSeconds);
+}
+
+bool SheetsQuestion::asksForTheSame(const SheetsQuestion &other) const
+{
+    return nesting == other.nesting && pinned == other.pinned &&
+           compensatesKerf == other.compensatesKerf;
+}
+
+Result<Nested> nested(const Snapshot &snapshot, const Nested *previous, Progress &progress,
+                      std::stop_token stop)
+{
+    Nested out;
+    out.question = snapshot.get(kQuestions).sheets;
+    if (!out.question)
+        return out;
+    out.analysis = snapshot.get(kAnalysed).analysis;
+    const bool isSameModel = previous && previous->parts && previous->analysis == out.analysis &&
+                             previous->parts->isKerfApplied == out.question->compensatesKerf;
+    if (isSameModel) {
+        out.parts = previous->parts;
+    } else {
+        Result<CutParts> parts = cutParts(*out.analysis, out.question->compensatesKerf);
+        if (!parts) {
+            out.why = std::move(parts.error());
+            return out;
+        }
+        out.parts = std::make_shared<const CutParts>(*std::move(parts));
+    }
+    const BodiesOfParts bodies = bodiesOfParts(out.analysis->model, out.parts->parts);
+    const LongWork work{stop, [&progress](double share) { progress.set(share); }};
+    NestedLayout made =
+        laid(before(previous, *out.question), isSameModel, out, bodies, work);
+    out.isStopped = stop.stop_requested() && out.question->level != NestLevel::Quick;
+    out.loosened = std::move(made.loosened);
+    out.layout = std::make_shared<const Layout>(std::move(made.layout));
+    finish(out);
+    return out;
+}
+
+} // namespace fff
