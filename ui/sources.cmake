@@ -67,6 +67,7 @@ target_sources(fff_ui PRIVATE
     dialogs/stock_fields.cpp
     dialogs/stock_list.cpp
     dialogs/stock_words.cpp
+    dialogs/turning_choices.cpp
     docks/check_entries.cpp
     docks/shown_problems.cpp
     docks/check_row.cpp
@@ -144,6 +145,12 @@ target_sources(fff_ui PRIVATE
     settings/settings.cpp
     settings/settings_checks.cpp
     settings/system_wishes.cpp
+    sheets/layout_group.cpp
+    sheets/placed_sheets.cpp
+    sheets/sheets_content.cpp
+    sheets/sheets_dock.cpp
+    sheets/sheets_view.cpp
+    sheets/sheets_view_painting.cpp
     start/samples.cpp
     start/start_page.cpp
     steps/steps_bar.cpp

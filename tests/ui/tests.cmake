@@ -60,6 +60,8 @@ if(FFF_SANITIZE) # dialogs load what draws, as on a display
     set_tests_properties(ui/dialogs/tst_dialogs PROPERTIES ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")
 endif()
 
+fff_tests(tests_sheets_dock LIBRARIES fff::ui TESTS ui/sheets/tst_sheets_dock)
+
 # A real window with a real OpenGL view.
 set(windows
     ui/steps/tst_steps_view

@@ -245,7 +245,7 @@ void TestNothingIsCut::pages()
     bench().session().currentAnalysis();
     m_window->findChild<CheckList *>()->finish();
     for (const char *dock : {"outlineDock", "historyDock", "libraryDock", "checksDock",
-                             "physicsDock", "propertiesDock"}) {
+                             "physicsDock", "propertiesDock", "sheetsDock"}) {
         showDock(dock);
         look(QLatin1String(dock));
     }

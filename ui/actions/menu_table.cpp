@@ -28,7 +28,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "view.clip view.skin | view.isolate view.showAll | >panels view.fullScreen"},
         {QT_TR_NOOP("&Section"),
          "section.symmetry section.ground section.snap | section.pen >plane section.addShape "
-         "section.mark | section.transform section.redraw section.addHole"},
+         "section.mark | section.transform section.addHole"},
         {QT_TR_NOOP("&Operation"),
          "operation.linear operation.revolve operation.blend operation.branch operation.grid "
          "operation.radial | operation.rotational operation.array"},
@@ -54,7 +54,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "select"},
 
         // What has its place on a bar, a page, a key or a right click.
-        {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain", kSearchedMenu},
+        {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain fabricate.sheets", kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "
          "edit.selectPrevious measure.ruler measure.dimension measure.keep measure.remove mirror.x "
@@ -68,7 +68,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          kSearchedMenu},
         {QT_TR_NOOP("&Section"),
          "section.addCircle section.addEllipse section.addRectangle section.addPolygon "
-         "section.addStar section.addSlot section.takeOffer section.takeGuide mark.engrave "
+         "section.addStar section.addSlot section.redraw section.takeOffer section.takeGuide mark.engrave "
          "mark.score "
          "section.importContour section.importHoles section.importMarks section.removeHoles "
          "section.dropToGround section.putOn section.free section.makeOrthogonal "

@@ -1,5 +1,8 @@
 #include "ui/bench/cutting_words.h"
 
+#include "ui/base/lengths.h"
+#include "ui/settings/settings.h"
+
 #include <QCoreApplication>
 
 namespace fff::ui {
@@ -11,7 +14,17 @@ struct CuttingTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::Exporting)
 };
 
+constexpr double kMillimetresPerMetre = 1000.0, kMillimetresPerFoot = 304.8;
+
 } // namespace
+
+QString cutLengthText(double millimetres, const QLocale &locale)
+{
+    const bool isInches = settings().unit() == LengthUnit::Inch;
+    const double length = millimetres / (isInches ? kMillimetresPerFoot : kMillimetresPerMetre);
+    return QStringLiteral("%1 %2").arg(numberText(length, 1, 1, locale),
+                                       isInches ? QStringLiteral("ft") : QStringLiteral("m"));
+}
 
 std::vector<CuttingRemark> cuttingRemarks(const Cutting &cutting)
 {

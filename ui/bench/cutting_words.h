@@ -3,6 +3,7 @@
 
 #include "core/analysis/cutting.h"
 
+#include <QLocale>
 #include <QString>
 
 #include <vector>
@@ -21,5 +22,7 @@ std::vector<CuttingRemark> cuttingRemarks(const Cutting &cutting);
 QString partCountText(int count);
 QString sheetCountText(int count);
 QString sectionCountText(int count);
+/// How far the machine cuts: "7.5 m"; "24.6 ft" for who counts in inches.
+QString cutLengthText(double millimetres, const QLocale &locale);
 
 } // namespace fff::ui

@@ -4,6 +4,7 @@
 #include "core/interaction/tool.h"
 #include "core/session/copy_commands.h"
 #include "core/session/session_commands.h"
+#include "core/session/sheet_nesting.h"
 #include "core/templates/flat_template.h"
 #include "ui/base/naming.h"
 #include "ui/bench/clipboard.h"
@@ -22,7 +23,8 @@ constexpr std::size_t kMostTold = 24;
 } // namespace
 
 Workbench::Workbench(QObject *parent)
-    : QObject(parent), m_host(m_session), m_interaction(std::make_unique<Interaction>(m_host))
+    : QObject(parent), m_host(m_session), m_interaction(std::make_unique<Interaction>(m_host)),
+      m_nesting(new SheetNesting(m_session, this))
 {
     m_hint = m_interaction->hint();
     m_host.attach(*m_interaction);
@@ -56,6 +58,7 @@ Workbench::~Workbench()
 {
     // The history empties itself as it goes, and would tell so of a session that is half gone.
     disconnect(m_session.history(), nullptr, nullptr, nullptr);
+    delete m_nesting; // asks the session, which goes before what hangs on this
 }
 
 void Workbench::setMovement(double share)

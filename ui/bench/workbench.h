@@ -23,6 +23,10 @@
 #include <string_view>
 #include <vector>
 
+namespace fff {
+class SheetNesting;
+}
+
 namespace fff::ui {
 
 class Workbench : public QObject
@@ -34,6 +38,8 @@ public:
 
     Session &session() { return m_session; }
     const Session &session() const { return m_session; }
+    /// How parts lie on their sheets, for whoever shows or writes that.
+    SheetNesting &nesting() { return *m_nesting; }
     /// To look at; what changes it goes through the functions below.
     const Interaction &interaction() const { return *m_interaction; }
 
@@ -170,6 +176,7 @@ private:
     Session m_session;
     SessionHost m_host;
     std::unique_ptr<Interaction> m_interaction;
+    SheetNesting *m_nesting = nullptr;
     std::vector<SectionRef> m_selection; // as last announced
     std::optional<JointRef> m_joint;
     OperationId m_operation;

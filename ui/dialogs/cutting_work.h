@@ -1,12 +1,15 @@
-// What would be cut of the session's model, worked out anew whenever the model or the choices
-// change: on another thread, and only of what is newest. Nobody waits for it.
+// What would be cut of the session's model as it lies on its sheets, and the paths of that: worked
+// out anew whenever the model or the choices change, beside the window. Nobody waits for it.
 #pragma once
 
 #include <QObject> // first: moc stumbles over some standard headers
 
-#include "core/analysis/cutting.h"
+#include "core/analysis/nested.h"
 #include "core/base/result.h"
+#include "core/session/sheet_nesting.h"
 #include "ui/dialogs/sheet_paths.h"
+
+#include <QPointer>
 
 #include <memory>
 #include <optional>
@@ -14,7 +17,7 @@
 
 namespace fff {
 class Session;
-}
+} // namespace fff
 
 namespace fff::ui {
 
@@ -22,16 +25,17 @@ class CuttingWork : public QObject
 {
     Q_OBJECT
 public:
-    /// The session outlives it.
-    explicit CuttingWork(const Session &session, QObject *parent = nullptr);
+    /// The session outlives what is asked of it; a window's nesting may go before.
+    CuttingWork(const Session &session, SheetNesting &nesting, QObject *parent = nullptr);
     ~CuttingWork() override;
 
-    void setOptions(const CuttingOptions &options);
+    /// Nothing is worked out for it while it is not wanted, as at first.
+    void setWanted(bool isWanted);
 
     struct Made
     {
         AnalysisPointer analysis; // that it was made of
-        Result<Cutting> cutting;
+        std::shared_ptr<const Nested> nested;
         std::vector<SheetPaths> sheets; // of its drawing
     };
     /// The newest that is known; null at first. Stays while something newer is worked out.
@@ -49,11 +53,11 @@ private:
     struct Mail;
 
     void begin();
-    void take(std::shared_ptr<const Made> made, const CuttingOptions &options);
+    void take(std::shared_ptr<const Made> made);
 
     const Session &m_session;
+    QPointer<SheetNesting> m_nesting;
     std::shared_ptr<Mail> m_mail; // to here, as long as this lives
-    CuttingOptions m_options, m_optionsOfMade;
     std::shared_ptr<const Made> m_made;
     bool m_isRunning = false;
 };

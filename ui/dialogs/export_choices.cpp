@@ -3,13 +3,18 @@
 #include "core/io/machine_library.h"
 #include "ui/settings/settings.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace fff::ui {
 
 namespace {
 
 const QString kSpacingKey = QStringLiteral("export/spacing"),
               kMarginKey = QStringLiteral("export/margin"),
-              kTurnsKey = QStringLiteral("export/turnsFreely"),
+              kTurnsKey = QStringLiteral("export/turnsFreely"), // of versions before:
+              kTurningKey = QStringLiteral("export/turning"),
+              kHolesKey = QStringLiteral("export/fillsHoles"),
               kReferenceKey = QStringLiteral("export/reference"),
               kMachineKey = QStringLiteral("export/machine"),
               kFolderKey = QStringLiteral("export/opensFolder"),
@@ -29,12 +34,35 @@ bool switchKept(const QString &key, bool usual)
     return kept.isValid() ? kept.toBool() : usual;
 }
 
+/// In the order of nest::Turning.
+const char *const kTurnings[] = {"none", "half", "quarter", "free"};
+
+nest::Turning turningKept()
+{
+    const QString kept = settings().memory(kTurningKey).toString();
+    const auto found = std::find_if(std::begin(kTurnings), std::end(kTurnings),
+                                    [&](const char *name) { return kept == QLatin1String(name); });
+    if (found != std::end(kTurnings))
+        return static_cast<nest::Turning>(found - std::begin(kTurnings));
+    return switchKept(kTurnsKey, true) ? nest::Turning::Free : nest::Turning::Quarter;
+}
+
 } // namespace
+
+NestOptions ExportChoices::nesting() const
+{
+    NestOptions options;
+    options.layout = layout;
+    options.turning = turning;
+    options.fillsHoles = fillsHoles;
+    return options;
+}
 
 CuttingOptions ExportChoices::cutting() const
 {
     CuttingOptions options;
     options.layout = layout;
+    options.nesting = nesting();
     options.hasReference = hasReference;
     for (const auto &one : io::machineLibrary())
         if (QString::fromStdString(one->key) == machine)
@@ -47,7 +75,8 @@ ExportChoices rememberedChoices()
     ExportChoices choices;
     choices.layout.spacing = lengthKept(kSpacingKey, choices.layout.spacing, kMostSpacing);
     choices.layout.margin = lengthKept(kMarginKey, choices.layout.margin, kMostMargin);
-    choices.layout.turnsFreely = switchKept(kTurnsKey, choices.layout.turnsFreely);
+    choices.turning = turningKept();
+    choices.fillsHoles = switchKept(kHolesKey, choices.fillsHoles);
     choices.hasReference = switchKept(kReferenceKey, choices.hasReference);
     choices.machine = settings().memory(kMachineKey).toString();
     choices.opensFolder = switchKept(kFolderKey, choices.opensFolder);
@@ -59,7 +88,9 @@ void rememberChoices(const ExportChoices &choices)
 {
     settings().setMemory(kSpacingKey, choices.layout.spacing);
     settings().setMemory(kMarginKey, choices.layout.margin);
-    settings().setMemory(kTurnsKey, choices.layout.turnsFreely);
+    settings().setMemory(kTurningKey,
+                         QLatin1String(kTurnings[static_cast<std::size_t>(choices.turning)]));
+    settings().setMemory(kHolesKey, choices.fillsHoles);
     settings().setMemory(kReferenceKey, choices.hasReference);
     settings().setMemory(kMachineKey, choices.machine);
     settings().setMemory(kFolderKey, choices.opensFolder);

@@ -22,13 +22,16 @@ struct ExportFile
 
 struct ExportChoices
 {
-    LayoutOptions layout; // without a sheet: that is the stock's
+    LayoutOptions layout; // without a sheet: that is the stock's; nestOut() does not ask if it turns
+    nest::Turning turning = nest::Turning::Free;
+    bool fillsHoles = true; // parts lie in holes of others
     bool hasReference = true;
     QString machine; // key in the library (core/io/machine_library.h); empty: none in particular
     bool opensFolder = false; // afterwards
     QString file;             // key; empty: the first there is
 
     CuttingOptions cutting() const;
+    NestOptions nesting() const;
 };
 
 // mm

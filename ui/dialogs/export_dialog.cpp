@@ -1,6 +1,7 @@
 #include "ui/dialogs/export_dialog.h"
 
 #include "core/session/check_list.h"
+#include "core/session/sheet_nesting.h"
 #include "ui/base/icon.h"
 #include "ui/base/lengths.h"
 #include "ui/base/theme.h"
@@ -32,16 +33,6 @@ namespace {
 
 constexpr QSize kUsualSize(1048, 700), kLeastSize(860, 560); // px
 constexpr int kLeastChoices = 345;                           // px, width of the left column
-constexpr double kMillimetresPerMetre = 1000.0, kMillimetresPerFoot = 304.8;
-
-/// "7.5 m"; "24.6 ft" for who counts in inches.
-QString cutText(double millimetres, const QLocale &locale)
-{
-    const bool isInches = settings().unit() == LengthUnit::Inch;
-    const double length = millimetres / (isInches ? kMillimetresPerFoot : kMillimetresPerMetre);
-    return QStringLiteral("%1 %2").arg(numberText(length, 1, 1, locale),
-                                       isInches ? QStringLiteral("ft") : QStringLiteral("m"));
-}
 
 } // namespace
 
@@ -56,8 +47,9 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     setMinimumSize(kLeastSize.boundedTo(there));
     resize(kUsualSize.boundedTo(there));
     m_stocks = new StockEdits(bench, this);
-    m_work = new CuttingWork(bench.session(), this);
-    m_work->setOptions(m_choices.cutting());
+    bench.nesting().setOptions(m_choices.nesting());
+    m_work = new CuttingWork(bench.session(), bench.nesting(), this);
+    m_work->setWanted(true);
 
     auto *middle = new QHBoxLayout;
     middle->setContentsMargins(16, 14, 16, 12);
@@ -78,7 +70,7 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
 
     connect(m_questions, &ExportQuestions::fileChanged, this, &ExportDialog::takeFile);
     connect(m_rows, &ExportRows::layoutChanged, this, [this] {
-        m_work->setOptions(m_choices.cutting());
+        m_bench.nesting().setOptions(m_choices.nesting());
         m_preview->refresh(); // margin and bar at once
     });
     connect(m_work, &CuttingWork::changed, this, &ExportDialog::refresh);
@@ -90,7 +82,11 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     takeFile();
 }
 
-ExportDialog::~ExportDialog() = default;
+/// What was only tried here is not how parts lie from now on.
+ExportDialog::~ExportDialog()
+{
+    m_bench.nesting().setOptions(rememberedChoices().nesting());
+}
 
 QWidget *ExportDialog::makeChoices(std::vector<ExportFile> files)
 {
@@ -196,7 +192,7 @@ void ExportDialog::refreshFoot()
         m_foot->setText(tr("%1 on %2 \u00B7 %3 of cutting")
                             .arg(bold(partCountText(cutting->partCount)),
                                  bold(sheetCountText(cutting->sheetCount())),
-                                 cutText(cutLength(cutting->drawing), locale())));
+                                 cutLengthText(cutLength(cutting->drawing), locale())));
     else
         m_foot->setText(m_work->isWorking() ? tr("Working…") : QString());
     const std::vector<ExportRemark> &remarks = m_remarks->remarks();

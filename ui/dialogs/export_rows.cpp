@@ -3,6 +3,7 @@
 #include "core/io/machine_library.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
+#include "ui/dialogs/turning_choices.h"
 #include "ui/properties/property_rows.h"
 
 #include <QCheckBox>
@@ -108,13 +109,9 @@ PropertyGroup *ExportRows::makeLayout()
     addLength(group, tr("Spacing"), "exportSpacing", kMostSpacing, &LayoutOptions::spacing);
     addLength(group, tr("Margin at the edge"), "exportMargin", kMostMargin, &LayoutOptions::margin);
     auto *rotation = new ChoiceRow(
-        tr("Rotation"), "exportRotation",
-        [this] {
-            return Choices{{{tr("Any angle"), {}}, {tr("Quarter turns"), {}}},
-                           m_choices.layout.turnsFreely ? 0 : 1};
-        },
+        tr("Rotation"), "exportRotation", [this] { return turningChoices(m_choices.turning); },
         [this](int choice) {
-            m_choices.layout.turnsFreely = choice == 0;
+            m_choices.turning = turningOf(choice);
             Q_EMIT layoutChanged();
         },
         group);

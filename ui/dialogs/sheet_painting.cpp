@@ -23,13 +23,15 @@ constexpr double kReadableScale = 2.5;
 constexpr double kGapToBar = 10.0;  // mm, as between sheets in a file
 constexpr QSizeF kBar(100.0, 10.0); // mm, the writers'
 constexpr double kHoverWidth = 2.0; // px
+constexpr float kHoverAlpha = 0.6F, kFillAlpha = 0.16F;
+constexpr double kGrainStep = 12.0; // mm
 
 /// The material's, whatever the theme; in high contrast black on white but for what is cut.
 struct SheetColours
 {
     QColor ground{0xFC, 0xF6, 0xEA}, edge{0x9B, 0x83, 0x58}, margin{0xC9, 0xB8, 0x8F};
     QColor part{0xF3, 0xE3, 0xC3}, cut{0xDB, 0x6A, 0x63}, number{0x1F, 0x43, 0x96};
-    QColor engraved{0x3A, 0x2E, 0x1C}, scored{0x2E, 0x7D, 0x32};
+    QColor engraved{0x3A, 0x2E, 0x1C}, scored{0x2E, 0x7D, 0x32}, grain{0xE6, 0xD6, 0xB4};
     double cutWidth = 0.8; // px
 };
 
@@ -37,7 +39,7 @@ SheetColours sheetColours()
 {
     SheetColours colours;
     if (theme().isHighContrast) {
-        colours.ground = colours.part = Qt::white;
+        colours.ground = colours.part = colours.grain = Qt::white;
         colours.edge = colours.engraved = Qt::black;
         colours.margin = QColor(0x55, 0x55, 0x55);
         colours.cut = QColor(0xB0, 0x00, 0x00);
@@ -75,6 +77,31 @@ void paintNumber(const PartPaths &part, const QTransform &transform, QPainter &p
     painter.drawText(QRectF(middle.x() - 50.0, middle.y() - size, 100.0, 2.0 * size),
                      Qt::AlignCenter, QString::number(part.number));
     painter.setFont(before);
+}
+
+void paintGrain(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter)
+{
+    for (double y = kGrainStep; y < sheet.size.height(); y += kGrainStep)
+        painter.drawLine(how.transform.map(QPointF(0.0, y)),
+                         how.transform.map(QPointF(sheet.size.width(), y)));
+}
+
+void paintGround(const SheetPaths &sheet, const SheetPainting &how, const SheetColours &colours,
+                 QPainter &painter)
+{
+    const QRectF whole(QPointF(), sheet.size), onScreen = how.transform.mapRect(whole);
+    painter.fillRect(onScreen, colours.ground);
+    painter.setBrush(Qt::NoBrush);
+    if (how.hasGrain) {
+        painter.setPen(hairline(colours.grain, 1.0));
+        paintGrain(sheet, how, painter);
+    }
+    if (const double m = how.margin; m > 0.0) {
+        painter.setPen(hairline(colours.margin, 1.0, Qt::DashLine));
+        painter.drawRect(how.transform.mapRect(whole.adjusted(m, m, -m, -m)));
+    }
+    painter.setPen(hairline(colours.edge, 1.0));
+    painter.drawRect(onScreen);
 }
 
 void paintReference(const SheetPainting &how, QPainter &painter)
@@ -123,19 +150,15 @@ int digitsThatFit(const PartPaths &part, const QTransform &transform, const QFon
 
 void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter)
 {
-    const SheetColours colours = sheetColours();
-    const QRectF whole(QPointF(), sheet.size);
+    SheetColours colours = sheetColours();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF onScreen = how.transform.mapRect(whole);
-    painter.fillRect(onScreen, colours.ground);
-    painter.setBrush(Qt::NoBrush);
-    if (const double m = how.margin; m > 0.0) {
-        painter.setPen(hairline(colours.margin, 1.0, Qt::DashLine));
-        painter.drawRect(how.transform.mapRect(whole.adjusted(m, m, -m, -m)));
+    if (how.isTooLarge) {
+        colours.part = theme().problemSoft;
+        colours.cut = colours.number = theme().problem;
+    } else {
+        paintGround(sheet, how, colours, painter);
     }
-    painter.setPen(hairline(colours.edge, 1.0));
-    painter.drawRect(onScreen);
     const bool isReadable = scaleOf(how.transform) >= kReadableScale;
     for (const PartPaths &part : sheet.parts) {
         painter.setPen(hairline(colours.cut, colours.cutWidth));
@@ -162,10 +185,28 @@ void paintHovered(const PartPaths &part, const SheetPainting &how, QPainter &pai
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     QColor accent = theme().accent;
+    accent.setAlphaF(kHoverAlpha);
     painter.setPen(hairline(accent, kHoverWidth));
-    accent.setAlphaF(0.16F);
+    accent.setAlphaF(kFillAlpha);
     painter.setBrush(accent);
     painter.drawPath(how.transform.map(part.cuts));
+    painter.restore();
+}
+
+void paintChosen(const PartPaths &part, const SheetPainting &how, QPainter &painter)
+{
+    constexpr double kAround = 3.0; // px
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor accent = theme().accent;
+    painter.setPen(hairline(accent, kHoverWidth));
+    accent.setAlphaF(kFillAlpha);
+    painter.setBrush(accent);
+    const QPainterPath cuts = how.transform.map(part.cuts);
+    painter.drawPath(cuts);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(hairline(theme().accent, 1.0, Qt::DashLine));
+    painter.drawRect(cuts.boundingRect().adjusted(-kAround, -kAround, kAround, kAround));
     painter.restore();
 }
 

@@ -14,6 +14,8 @@ struct SheetPainting
     QTransform transform; // from sheet coordinates to the painter's, px
     double margin = 0.0;  // mm
     bool hasReference = false;
+    bool hasGrain = false;   // along the sheet's width: parts keep to it
+    bool isTooLarge = false; // no sheet, but a part that fits none
 };
 
 /// Below the sheet, as writers have it: its lower left corner and size, mm, sheet coordinates.
@@ -22,6 +24,8 @@ QRectF referenceBar();
 void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter);
 /// The part that the cursor is on, over what was painted.
 void paintHovered(const PartPaths &part, const SheetPainting &how, QPainter &painter);
+/// One that is selected: its outline, and a dashed box round it.
+void paintChosen(const PartPaths &part, const SheetPainting &how, QPainter &painter);
 
 /// The largest font that a number is read in without leaving the part; 0: none. Pixels of a font
 /// are between kLeastDigits and kMostDigits.

@@ -7,6 +7,7 @@
 #include "core/io/file_set.h"
 #include "core/io/formats.h"
 #include "core/session/scheduler.h"
+#include "core/session/sheet_nesting.h"
 #include "core/skin/skin.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
@@ -182,6 +183,9 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     const QString name = QFileInfo(path).fileName();
     io::CuttingFileOptions options;
     static_cast<CuttingOptions &>(options) = rememberedChoices().cutting();
+    // As they lie in sight, where they do.
+    options.lying = m_bench.nesting().layoutOf(m_bench.session().analysisPointer(),
+                                               *options.nesting);
     options.isFilePerSheet = kind.isFilePerSheet;
     options.format = kind.format;
     options.values = kind.values;

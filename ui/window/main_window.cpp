@@ -29,6 +29,7 @@
 #include "ui/properties/open_editor.h"
 #include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
+#include "ui/sheets/sheets_dock.h"
 #include "ui/start/start_page.h"
 #include "ui/steps/steps_export.h"
 #include "ui/steps/steps_view.h"
@@ -189,6 +190,7 @@ void MainWindow::makeDocks()
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_physics = new PhysicsDock(*m_bench, this);
+    m_sheets = new SheetsDock(*m_bench, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_viewChips = new ViewChips(*m_bench, m_view, Badges::kBelow);
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
@@ -211,7 +213,9 @@ void MainWindow::makeDocks()
     m_layout->add(m_history, WindowLayout::Place::Left);
     m_layout->add(m_templates, WindowLayout::Place::Left, false);
     m_layout->add(m_library, WindowLayout::Place::Left, false);
+    m_layout->add(m_sheets, WindowLayout::Place::Below, false);
     connect(m_layout, &WindowLayout::hiddenChanged, m_actions, &ActionSet::refresh);
+    connect(m_sheets, &QDockWidget::visibilityChanged, m_actions, &ActionSet::refresh);
 
     connect(m_badges, &Badges::clicked, m_checks, qOverload<Subject>(&ChecksDock::choose));
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
@@ -410,6 +414,7 @@ void MainWindow::refreshTheme()
     m_history->refreshColours();
     m_checks->refreshColours();
     m_physics->refreshColours();
+    m_sheets->refreshColours();
     m_templates->refreshColours();
     m_badges->refreshColours();
     m_viewChips->refreshColours();

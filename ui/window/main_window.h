@@ -30,6 +30,7 @@ class MessageBar;
 class OutlineDock;
 class PhysicsDock;
 class PropertiesDock;
+class SheetsDock;
 class StatusLine;
 class StepsExport;
 class StepsView;
@@ -107,6 +108,7 @@ private:
     ChecksDock *m_checks = nullptr;
     PhysicsDock *m_physics = nullptr;
     PropertiesDock *m_properties = nullptr;
+    SheetsDock *m_sheets = nullptr;
     Badges *m_badges = nullptr;
     ViewChips *m_viewChips = nullptr;
     CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand

@@ -12,6 +12,7 @@
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/settings/settings.h"
+#include "ui/sheets/sheets_dock.h"
 #include "ui/steps/steps_view.h"
 #include "ui/window/main_tool_bar.h"
 #include "ui/window/main_window.h"
@@ -84,6 +85,8 @@ constexpr CommandWords kWords[] = {
      "A", "steps", FFF_TEXT("Command", "Show step by step how the model is put together"), true},
     {"fabricate.stocks", FFF_TEXT("Command", "Stoc&ks…"), FFF_TEXT("Command", "Stocks"), "",
      "stocks", FFF_TEXT("Command", "Sheet materials: thickness, strength, kerf and sheet size")},
+    {"fabricate.sheets", FFF_TEXT("Command", "S&heets"), FFF_TEXT("Command", "Sheets"), "",
+     "stocks", FFF_TEXT("Command", "Show the parts on their sheets, as they will be cut"), true},
     {"edit.find", FFF_TEXT("Command", "&Find a command…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
      "search", FFF_TEXT("Command", "Type to find anything that the program can do")},
     {"help.firstSteps", FFF_TEXT("Command", "First ste&ps"), FFF_TEXT("Command", "First steps"),
@@ -185,6 +188,15 @@ void MainWindow::addCommands()
     addSwitch("section.ground", DrawingSwitch::Ground);
     addSwitch("section.snap", DrawingSwitch::Snap);
     add("fabricate.stocks", [this] { showStocks({}); });
+    add(
+        "fabricate.sheets",
+        [this] {
+            if (m_sheets->isVisible())
+                m_sheets->close();
+            else
+                m_layout->show(m_sheets);
+        },
+        {}, [this] { return m_sheets && m_sheets->isVisible(); });
     commands.offer(kWords);
 }
 

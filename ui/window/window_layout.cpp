@@ -22,6 +22,7 @@ constexpr int kLeftWidth = 264, kRightWidth = 322;                  // px
 constexpr int kNarrowRightWidth = 322, kMostNarrowRightWidth = 480; // px
 /// Of a tab: its words, and what is beside them, px (resources/style/window.qss).
 constexpr int kTabWords = 12, kTabBorders = 14;
+constexpr int kBelowHeight = 400;   // px, of what is under the view
 constexpr double kBelowShare = 0.4; // of the left column's height
 constexpr int kTwoColumns = 1280;   // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
@@ -73,6 +74,8 @@ WindowLayout::WindowLayout(QMainWindow &window) : QObject(&window), m_window(win
                           QMainWindow::AllowNestedDocks);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
 }
 
 void WindowLayout::add(QDockWidget *dock, Place place, bool isShown)
@@ -112,19 +115,26 @@ void WindowLayout::reset()
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
     }
-    const auto placeOf = [&](std::size_t i) { return wide ? m_places[i] : Place::Right; };
-    QDockWidget *first[3] = {nullptr, nullptr, nullptr}; // of each place
+    const auto placeOf = [&](std::size_t i) {
+        return wide || m_places[i] == Place::Below ? m_places[i] : Place::Right;
+    };
+    const auto areaOf = [](Place place) {
+        if (place == Place::Below)
+            return Qt::BottomDockWidgetArea;
+        return place == Place::Right ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea;
+    };
+    QDockWidget *first[4] = {nullptr, nullptr, nullptr, nullptr}; // of each place
     for (std::size_t i = 0; i < m_docks.size(); ++i) {
         QDockWidget *&leader = first[static_cast<int>(placeOf(i))];
         if (leader)
             continue;
         leader = m_docks[i];
-        m_window.addDockWidget(
-            placeOf(i) == Place::Right ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea, leader);
+        m_window.addDockWidget(areaOf(placeOf(i)), leader);
     }
     QDockWidget *const right = first[static_cast<int>(Place::Right)],
                        *const left = first[static_cast<int>(Place::Left)],
-                       *const below = first[static_cast<int>(Place::LeftBelow)];
+                       *const below = first[static_cast<int>(Place::LeftBelow)],
+                       *const under = first[static_cast<int>(Place::Below)];
     if (left && below) // before tabs: what is split off a tab becomes another one
         m_window.splitDockWidget(left, below, Qt::Vertical);
     for (std::size_t i = 0; i < m_docks.size(); ++i) {
@@ -143,6 +153,8 @@ void WindowLayout::reset()
         m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
     if (right)
         m_window.resizeDocks({right}, {wide ? kRightWidth : narrowWidth(m_docks)}, Qt::Horizontal);
+    if (under)
+        m_window.resizeDocks({under}, {kBelowHeight}, Qt::Vertical);
     forgetHiding();
 }
 

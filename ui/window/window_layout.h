@@ -16,8 +16,9 @@ class WindowLayout : public QObject
     Q_OBJECT
 public:
     /// Where a dock is at first in a wide window. Docks of one place are tabs of each other; a
-    /// narrow window has all of them as tabs at the right, in the order in which they were added.
-    enum class Place { Right, Left, LeftBelow };
+    /// narrow window has those at the sides as tabs at the right, in the order in which they were
+    /// added. Below: under the view, from the left column to the window's right edge.
+    enum class Place { Right, Left, LeftBelow, Below };
 
     explicit WindowLayout(QMainWindow &window);
 

@@ -1,0 +1,80 @@
+#include "ui/sheets/sheets_content.h"
+
+#include "core/base/units.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/turning.h"
+#include "ui/properties/stock_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kWholeTurn = 360.0;
+
+bool isOversized(const Sheet &sheet, const Layout &layout)
+{
+    return !sheet.placements.empty() &&
+           std::find(layout.oversized.begin(), layout.oversized.end(),
+                     sheet.placements.front().part) != layout.oversized.end();
+}
+
+PartOnSheet partOnSheet(const Placement &placement, const Nested &nested)
+{
+    const Part &part = nested.parts->parts[static_cast<std::size_t>(placement.part)];
+    PartOnSheet on;
+    on.section = nested.analysis->model.ref(static_cast<std::size_t>(part.section));
+    on.size = turnedBounds(part.outline.region.outer, Vec2::UnitX()).size();
+    const double turn = degrees(std::atan2(placement.turn.y(), placement.turn.x()));
+    on.turn = turn < 0.0 ? turn + kWholeTurn : turn;
+    return on;
+}
+
+double areaOn(const Sheet &sheet, const std::vector<Part> &parts)
+{
+    double sum = 0.0;
+    for (const Placement &placement : sheet.placements)
+        sum += std::abs(area(parts[static_cast<std::size_t>(placement.part)].outline.region));
+    return sum;
+}
+
+} // namespace
+
+const std::vector<SheetPaths> &SheetsContent::sheets() const
+{
+    static const std::vector<SheetPaths> kNone;
+    return made ? made->sheets : kNone;
+}
+
+SheetsContent sheetsContent(std::shared_ptr<const CuttingWork::Made> made)
+{
+    SheetsContent content;
+    if (!made || !made->nested->cutting)
+        return content;
+    const Nested &nested = *made->nested;
+    const NestOptions &options = nested.question->nesting;
+    content.margin = options.layout.margin;
+    content.hasGrain =
+        options.turning == nest::Turning::None || options.turning == nest::Turning::Half;
+    std::set<StockId> stocks;
+    for (const Sheet &sheet : nested.layout->sheets)
+        stocks.insert(sheet.stock);
+    for (const Sheet &sheet : nested.layout->sheets) {
+        SheetFacts facts;
+        for (const Placement &placement : sheet.placements)
+            facts.parts.push_back(partOnSheet(placement, nested));
+        facts.isTooLarge = isOversized(sheet, *nested.layout);
+        facts.usedShare = areaOn(sheet, nested.parts->parts) / (sheet.size.x() * sheet.size.y());
+        const Stock *stock = nested.analysis->model.document.find(sheet.stock);
+        if (stock && stocks.size() > 1)
+            facts.stock = stockName(*stock);
+        content.facts.push_back(std::move(facts));
+    }
+    content.made = std::move(made);
+    return content;
+}
+
+} // namespace fff::ui

@@ -1,0 +1,69 @@
+// The sheets as they will be cut, under the view: how well parts lie there, whose they are, and how
+// they are to lie. What lies here is what Export writes.
+#pragma once
+
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/model/section.h"
+
+#include <optional>
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace fff::ui {
+
+class CuttingWork;
+class LayoutGroup;
+class LinkRow;
+class SegmentedBox;
+class SheetsView;
+class Workbench;
+
+class SheetsDock : public QDockWidget
+{
+    Q_OBJECT
+public:
+    SheetsDock(Workbench &bench, QWidget *parent = nullptr);
+
+    /// In the colours of the theme.
+    void refreshColours();
+
+    static constexpr int kHeight = 400, kLeastHeight = 260; // px
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QWidget *makeHead();
+    QWidget *makeFoot();
+    void refresh();
+    void refreshHead();
+    void refreshFoot();
+    void refreshTooLarge();
+    void light(std::optional<SectionRef> section);
+    void followView();
+    void splitTooLarge();
+    QString note() const;
+
+    Workbench &m_bench;
+    CuttingWork *m_work = nullptr;
+    SegmentedBox *m_level = nullptr;
+    QProgressBar *m_bar = nullptr;
+    QLabel *m_state = nullptr;
+    QPushButton *m_stop = nullptr;
+    SheetsView *m_view = nullptr;
+    LayoutGroup *m_layoutRows = nullptr;
+    QWidget *m_tooLarge = nullptr; // that parts are, and what can be done
+    QLabel *m_tooLargeText = nullptr;
+    LinkRow *m_split = nullptr;
+    QLabel *m_foot = nullptr;
+    const void *m_shown = nullptr; // what the view shows
+    bool m_wasOlder = false;
+    bool m_lights = false; // a section in the view
+};
+
+} // namespace fff::ui
