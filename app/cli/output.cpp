@@ -7,7 +7,7 @@
 #include "core/io/cutting_file.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
-#include "core/io/machine_library.h"
+#include "core/nesting/problem.h"
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
 #include "core/skin/skin.h"
@@ -35,12 +35,26 @@ QString joined(const std::vector<std::string> &names)
     return list.join(QStringLiteral(", "));
 }
 
-QString machineKeys()
+constexpr double kMostNestSeconds = 3600.0;
+
+/// Of --nest; nothing where parts lie by their boxes.
+std::optional<NestOptions> nestingAsked(const QCommandLineParser &parser, QString &why)
 {
-    QStringList keys;
-    for (const auto &machine : io::machineLibrary())
-        keys += QString::fromStdString(machine->key);
-    return io::enumerated(keys, tr("%1 or %2"));
+    if (!parser.isSet(QStringLiteral("nest")))
+        return std::nullopt;
+    const QString text = parser.value(QStringLiteral("nest"));
+    bool isNumber = false;
+    const double seconds = text.toDouble(&isNumber);
+    if (!isNumber || !(seconds >= 0.0 && seconds <= kMostNestSeconds)) {
+        why = tr("--%1: found \"%2\", expected a number from 0 to %3.")
+                  .arg(QStringLiteral("nest"), text, QString::number(kMostNestSeconds, 'f', 0));
+        return std::nullopt;
+    }
+    NestOptions options;
+    if (parser.isSet(QStringLiteral("no-turning")))
+        options.turning = nest::Turning::Quarter;
+    options.work = nest::workOf(seconds);
+    return options;
 }
 
 /// What the options say of a cutting file; nothing, and `why`, when one makes no sense.
@@ -63,6 +77,7 @@ std::optional<io::CuttingFileOptions> cuttingOptions(const QCommandLineParser &p
     };
     length("margin", options.layout.margin);
     length("spacing", options.layout.spacing);
+    options.nesting = nestingAsked(parser, why);
     const QString sheets = parser.value(QStringLiteral("sheets"));
     options.isFilePerSheet = sheets == QStringLiteral("files");
     if (!sheets.isEmpty() && sheets != QStringLiteral("files") &&
@@ -282,6 +297,10 @@ void addOutputOptions(QCommandLineParser &parser)
         {QStringLiteral("spacing"), tr("Between neighbouring cuts (2)."), QStringLiteral("MM")});
     parser.addOption(
         {QStringLiteral("no-turning"), tr("Quarter turns only, for sheets with a grain.")});
+    parser.addOption({QStringLiteral("nest"),
+                      tr("Lays parts by their true outlines, searching for so many seconds; 0 "
+                         "takes the first layout (by their boxes)."),
+                      QStringLiteral("S")});
     parser.addOption({QStringLiteral("sheets"),
                       tr("groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so "
                          "on (groups)."),
