@@ -3190,6 +3190,18 @@
         <source>Draw a line over the template and say how long it is</source>
         <translation>Eine Linie über die Vorlage ziehen und sagen, wie lang sie ist</translation>
     </message>
+    <message>
+        <source>S&amp;heets</source>
+        <translation>&amp;Platten</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Show the parts on their sheets, as they will be cut</source>
+        <translation>Die Teile auf ihren Platten zeigen, wie sie geschnitten werden</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3355,6 +3367,10 @@
     <message>
         <source>Parts close together on sheets, or the items of a strip (.json)</source>
         <translation>Teile dicht beieinander auf Platten, oder die Stücke eines Streifens (.json)</translation>
+    </message>
+    <message>
+        <source>Parts close together on sheets, or the items of a strip (.json)</source>
+        <translation>Teile dicht an dicht auf Platten, oder die Stücke eines Streifens (.json)</translation>
     </message>
 </context>
 <context>
@@ -6457,6 +6473,10 @@
         <source>the skin</source>
         <translation>die Haut</translation>
     </message>
+    <message>
+        <source>how parts lie on the sheets</source>
+        <translation>wie die Teile auf den Platten liegen</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -7991,6 +8011,10 @@
         <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
         <translation>Hielte, %1.</translation>
     </message>
+    <message>
+        <source>Lays parts by their true outlines, searching for so many seconds; 0 takes the first layout (by their boxes).</source>
+        <translation>Legt Teile nach ihren wahren Umrissen aus und sucht so viele Sekunden; 0 nimmt die erste Anordnung (nach ihren Rechtecken).</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -8963,6 +8987,12 @@
     <message>
         <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
         <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen</translation>
+        <source>Half turns</source>
+        <translation>Halbe Drehungen</translation>
+    </message>
+    <message>
+        <source>As drawn</source>
+        <translation>Wie gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -9752,6 +9782,41 @@
     <message>
         <source>Press the keys</source>
         <translation>Tasten drücken</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::LayoutGroup</name>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Parts in holes</source>
+        <translation>Teile in Löchern</translation>
+    </message>
+    <message>
+        <source>Small parts may lie in the holes of large ones</source>
+        <translation>Kleine Teile dürfen in den Löchern großer liegen</translation>
     </message>
 </context>
 <context>
@@ -11588,6 +11653,115 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1  %2</source>
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SheetsDock</name>
+    <message>
+        <source>Sheets</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Am besten</translation>
+    </message>
+    <message>
+        <source>How well parts are laid</source>
+        <translation>Wie gut die Teile ausgelegt werden</translation>
+    </message>
+    <message>
+        <source>Quick lays all parts anew. Good takes about ten seconds. Best goes on until you stop it.</source>
+        <translation>Schnell legt alle Teile neu aus. Gut dauert etwa zehn Sekunden. Am besten sucht weiter, bis du anhältst.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Split by Grid</source>
+        <translation>Mit Raster teilen</translation>
+    </message>
+    <message>
+        <source>Draw a section and it will lie here, ready to cut.</source>
+        <translation>Zeichne eine Scheibe, und sie liegt hier, fertig zum Schneiden.</translation>
+    </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>Wird ausgelegt…</translation>
+    </message>
+    <message>
+        <source>Nesting… %1 %</source>
+        <extracomment>%1 is a number: how much of the sheets is filled</extracomment>
+        <translation>Wird ausgelegt… %1 %</translation>
+    </message>
+    <message>
+        <source>keeps the best so far</source>
+        <translation>behält das Beste bisher</translation>
+    </message>
+    <message>
+        <source>Nesting again…</source>
+        <translation>Wird neu ausgelegt…</translation>
+    </message>
+    <message>
+        <source>%1 is too large for its sheet.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 ist zu groß für die Platte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more are too large for their sheets.</source>
+        <translation>
+            <numerusform>%1 und %n weitere Scheibe sind zu groß für ihre Platten.</numerusform>
+            <numerusform>%1 und %n weitere Scheiben sind zu groß für ihre Platten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
+        <translation>%1 auf %2 · %3 % belegt · %4 zu schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SheetsView</name>
+    <message>
+        <source>Sheets, as they will be cut</source>
+        <translation>Platten, wie sie geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Page Up and Page Down go from part to part, plus and minus zoom, the arrow keys move the sheets, Home shows all of them.</source>
+        <translation>Bild auf und Bild ab gehen von Teil zu Teil, Plus und Minus zoomen, die Pfeiltasten verschieben die Platten, Pos1 zeigt alle.</translation>
+    </message>
+    <message>
+        <source>%1 %2 · %3 · turned %4°</source>
+        <extracomment>a part on a sheet: its number, its section&apos;s name, its size, and by how much it is turned</extracomment>
+        <translation>%1 %2 · %3 · um %4° gedreht</translation>
+    </message>
+    <message>
+        <source>Sheet %1 of %2</source>
+        <translation>Platte %1 von %2</translation>
+    </message>
+    <message>
+        <source>Too large</source>
+        <translation>Zu groß</translation>
+    </message>
+    <message>
+        <source>grain ↔</source>
+        <translation>Faser ↔</translation>
+    </message>
+    <message numerus="yes">
+        <source> · %n part(s) · %1 % used</source>
+        <extracomment>behind &quot;Sheet 1 of 2&quot;: %n parts lie on it, and cover so much of it</extracomment>
+        <translation>
+            <numerusform> · %n Teil · %1 % belegt</numerusform>
+            <numerusform> · %n Teile · %1 % belegt</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -772,6 +772,27 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::SheetsDock</name>
+    <message numerus="yes">
+        <source>%1 and %n more are too large for their sheets.</source>
+        <translation>
+            <numerusform>%1 and %n more are too large for their sheets.</numerusform>
+            <numerusform>%1 and %n more are too large for their sheets.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SheetsView</name>
+    <message numerus="yes">
+        <source> · %n part(s) · %1 % used</source>
+        <extracomment>behind &quot;Sheet 1 of 2&quot;: %n parts lie on it, and cover so much of it</extracomment>
+        <translation>
+            <numerusform> · %n part · %1 % used</numerusform>
+            <numerusform> · %n parts · %1 % used</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::SkinPicture</name>
     <message numerus="yes">
         <source>%n patches</source>
