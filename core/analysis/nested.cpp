@@ -141,7 +141,7 @@ Result<Nested> nested(const Snapshot &snapshot, const Nested *previous, Progress
                       std::stop_token stop)
 {
     Nested out;
-    out.question = snapshot.get(kQuestions).sheets;
+    out.question = snapshot.pointer(kSheetsAsked);
     if (!out.question)
         return out;
     out.analysis = snapshot.get(kAnalysed).analysis;

@@ -69,6 +69,9 @@ struct Nested
 };
 
 inline constexpr StageOf<Nested> kNested{"sheets"};
+/// Questions::sheets, which may be null. Given by itself: a search asks anew and anew, and what else
+/// is asked goes on meanwhile.
+inline constexpr StageOf<SheetsQuestion> kSheetsAsked{"sheets asked"};
 
 /// Never worse than what lay of the same parts before, as long as the same is asked: fewer that fit
 /// no sheet, then less taken of the sheets. Stopped: the best so far is given out, and never an

@@ -37,7 +37,7 @@ std::vector<Stage> allStages()
         makeStage(kSkin, FFF_TEXT("Stage", "the skin"), {kModel.name, kQuestions.name}, WhenSettled,
                   askedSkin),
         makeStage(kNested, FFF_TEXT("Stage", "how parts lie on the sheets"),
-                  {kAnalysed.name, kQuestions.name}, WhenSettled, nested),
+                  {kAnalysed.name, kSheetsAsked.name}, WhenSettled, nested),
         makeStage(kPulled, FFF_TEXT("Stage", "what magnets make of templates"), {kModel.name},
                   Always, pulled),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),

@@ -1,5 +1,6 @@
 #include "core/session/scheduler.h"
 
+#include "core/analysis/nested.h"
 #include "core/session/journal.h"
 
 #include <QTimer>
@@ -9,6 +10,7 @@
 #include <deque>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace fff {
 
@@ -19,6 +21,12 @@ namespace {
 constexpr int kSeen = 100, kLate = 500;
 /// ms between two looks at how far something has come.
 constexpr int kTick = 200;
+
+Questions withoutSheets(Questions questions)
+{
+    questions.sheets.reset();
+    return questions;
+}
 
 using AnyResult = Result<std::shared_ptr<const void>>;
 
@@ -90,6 +98,7 @@ public:
     bool collectOne();
     void follow();
     void grow(Age to);
+    void askAnew(std::string_view what, std::shared_ptr<const void> question);
 
     Scheduler *q;
     std::vector<Stage> stages;
@@ -124,6 +133,7 @@ Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     }
     given[kRules.name] = std::make_shared<const CheckRules>();
     given[kQuestions.name] = std::make_shared<const Questions>();
+    given[kSheetsAsked.name] = nullptr;
     for (QTimer *timer : {&becomesOlder, &becomesLate})
         timer->setSingleShot(true);
     becomesOlder.setInterval(kSeen);
@@ -312,6 +322,14 @@ void Scheduler::Private::grow(Age to)
     Q_EMIT q->aged();
 }
 
+void Scheduler::Private::askAnew(std::string_view what, std::shared_ptr<const void> question)
+{
+    given[what] = std::move(question);
+    for (Desk &desk : desks)
+        if (std::find(desk.given.begin(), desk.given.end(), what) != desk.given.end())
+            desk.worker.request_stop();
+}
+
 Scheduler::Scheduler(std::vector<Stage> stages, QObject *parent)
     : QObject(parent), d(std::make_unique<Private>(this, std::move(stages)))
 {
@@ -345,6 +363,7 @@ void Scheduler::forget()
     d->given.erase(kModel.name);
     d->questions = {};
     d->given[kQuestions.name] = std::make_shared<const Questions>();
+    d->given[kSheetsAsked.name] = nullptr;
     for (Private::Desk &desk : d->desks) {
         desk.worker.request_stop();
         desk.started.clear();
@@ -371,11 +390,11 @@ void Scheduler::ask(const Questions &questions)
 {
     if (questions == d->questions)
         return;
-    d->questions = questions;
-    d->given[kQuestions.name] = std::make_shared<const Questions>(questions);
-    for (Private::Desk &desk : d->desks)
-        if (std::find(desk.given.begin(), desk.given.end(), kQuestions.name) != desk.given.end())
-            desk.worker.request_stop();
+    const Questions before = std::exchange(d->questions, questions);
+    if (questions.sheets != before.sheets)
+        d->askAnew(kSheetsAsked.name, questions.sheets);
+    if (withoutSheets(questions) != withoutSheets(before))
+        d->askAnew(kQuestions.name, std::make_shared<const Questions>(withoutSheets(questions)));
     d->startAll();
     d->follow();
     Q_EMIT asked();

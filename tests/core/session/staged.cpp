@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/findings/doubted_verdicts.h"
+#include "core/analysis/nested.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/stages.h"
 #include "core/operations/evaluate.h"
@@ -16,7 +17,8 @@ Staged stagedTo(const Document &document, bool wantsMends)
     patient.planningTime = std::chrono::minutes(10);
     Snapshot::Results results{{kModel.name, std::make_shared<const Model>(evaluate(document))},
                               {kRules.name, std::make_shared<const CheckRules>(patient)},
-                              {kQuestions.name, std::make_shared<const Questions>()}};
+                              {kQuestions.name, std::make_shared<const Questions>()},
+                              {kSheetsAsked.name, nullptr}};
     Staged out;
     for (const Stage &stage : stages()) {
         const bool isForMends = stage.name == kFlips.name || stage.name == kMends.name;

@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/asked_skin.h"
 #include "core/analysis/nested.h"
 #include "core/base/units.h"
 #include "core/model/edits.h"
@@ -34,11 +35,9 @@ AnalysisPointer analysisOf(const Document &document)
 Nested askedOf(const AnalysisPointer &analysis, const SheetsQuestion &question,
                const Nested *previous = nullptr, std::stop_token stop = {})
 {
-    Questions questions;
-    questions.sheets = std::make_shared<const SheetsQuestion>(question);
     const Snapshot snapshot(
         1, {{kAnalysed.name, std::make_shared<const Analysed>(Analysed{analysis, nullptr})},
-            {kQuestions.name, std::make_shared<const Questions>(questions)}});
+            {kSheetsAsked.name, std::make_shared<const SheetsQuestion>(question)}});
     Progress progress;
     return *nested(snapshot, previous, progress, std::move(stop));
 }
@@ -119,6 +118,7 @@ private Q_SLOTS:
     void anEditMakesItOlder();
     void stopEndsASearch();
     void anotherDocumentIsAskedAgain();
+    void otherQuestionsGoOn();
 };
 
 void TestSheets::theSameSeedGivesTheSame()
@@ -138,7 +138,7 @@ void TestSheets::nobodyAsksAndNothingIsThere()
     const Snapshot snapshot(
         1, {{kAnalysed.name,
              std::make_shared<const Analysed>(Analysed{analysisOf(combModel(2)), nullptr})},
-            {kQuestions.name, std::make_shared<const Questions>()}});
+            {kSheetsAsked.name, nullptr}});
     Progress progress;
     QVERIFY(!nested(snapshot, nullptr, progress, {})->layout);
     const Nested empty = askedOf(analysisOf(newDocument()), {});
@@ -362,6 +362,26 @@ void TestSheets::anotherDocumentIsAskedAgain()
     session.scheduler().finish(kNested.name);
     QVERIFY(nesting.isCurrent());
     QCOMPARE(nesting.result()->parts->parts.size(), std::size_t(6));
+}
+
+// Wrong: each round of a search works out the skin anew.
+void TestSheets::otherQuestionsGoOn()
+{
+    Session session;
+    SheetNesting nesting(session);
+    session.reset(combModel(4));
+    Questions questions;
+    questions.skin = true;
+    session.scheduler().want(kSkin.name);
+    session.scheduler().ask(questions);
+    session.scheduler().finish();
+    const auto skin = session.scheduler().result(kSkin);
+    QVERIFY(skin);
+    nesting.setWanted(this, true);
+    session.scheduler().finish();
+    QVERIFY(nesting.isCurrent());
+    QVERIFY(session.scheduler().questions().skin);
+    QCOMPARE(session.scheduler().result(kSkin), skin);
 }
 
 FFF_TEST(TestSheets)
