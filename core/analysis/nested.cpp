@@ -57,11 +57,28 @@ const Nested *before(const Nested *previous, const SheetsQuestion &question)
     return isKnown ? previous : nullptr;
 }
 
+/// As the stocks have them now.
+bool areSheetsTheSame(const Layout &layout, const Model &model, const LayoutOptions &options)
+{
+    const auto isOversized = [&](const Sheet &sheet) {
+        return std::any_of(sheet.placements.begin(), sheet.placements.end(), [&](const auto &one) {
+            return std::find(layout.oversized.begin(), layout.oversized.end(), one.part) !=
+                   layout.oversized.end();
+        });
+    };
+    return std::all_of(layout.sheets.begin(), layout.sheets.end(), [&](const Sheet &sheet) {
+        const Stock *stock = model.document.find(sheet.stock);
+        return !stock || isOversized(sheet) || sheet.size == options.sheet.value_or(stock->sheet);
+    });
+}
+
 /// What an edit has not changed stays; nothing where that is no good.
 std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part> &parts,
                                       const BodiesOfParts &bodies, const Model &model,
                                       NestOptions options)
 {
+    if (!areSheetsTheSame(*last.layout, model, options.layout))
+        return std::nullopt;
     const std::optional<std::vector<PinnedPart>> lying =
         lyingStill({last.analysis->model, last.parts->parts, *last.layout}, parts, bodies);
     if (!lying)

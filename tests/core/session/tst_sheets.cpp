@@ -111,6 +111,7 @@ private Q_SLOTS:
     void anEditLeavesTheRest();
     void aGoneSectionLeavesTheRest();
     void manyChangesLayAllAnew();
+    void otherSheetsAreLaidAnew();
     void askedAnewForgetsWhatLay();
     void stoppedKeepsTheBest();
     void holesAreRoomWhereTheyMay();
@@ -236,6 +237,21 @@ void TestSheets::manyChangesLayAllAnew()
     const Nested before = askedOf(analysisOf(combModel(8)), {});
     const AnalysisPointer analysis = analysisOf(eggCrate(4, 4));
     QVERIFY(lyingOn(askedOf(analysis, {}, &before)) == lyingOn(askedOf(analysis, {})));
+}
+
+// Wrong: parts stay on as many sheets when these are larger now.
+void TestSheets::otherSheetsAreLaidAnew()
+{
+    Document document = eggCrate(6, 6);
+    Stock stock = *document.find(document.currentStock);
+    stock.sheet = {160, 160};
+    document = *setStock(std::move(document), stock);
+    const Nested before = askedOf(analysisOf(document), {});
+    stock.sheet = {600, 400};
+    const Nested after = askedOf(analysisOf(*setStock(document, stock)), {}, &before);
+    QVERIFY(before.layout->sheets.size() > 1);
+    QCOMPARE(after.layout->sheets.size(), std::size_t(1));
+    QVERIFY(isSound(after));
 }
 
 void TestSheets::askedAnewForgetsWhatLay()

@@ -248,7 +248,7 @@ void TestExportDialog::choicesAreKept()
         QCOMPARE(value("exportSpacing"), 4.0);
         QCOMPARE(value("exportMargin"), 12.0);
         QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportRotation"))->currentIndex(),
-                 1);
+                 3);
         QVERIFY(!dialog->findChild<QCheckBox *>(QStringLiteral("exportReference"))->isChecked());
         QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportMachine"))->currentText(),
                  QStringLiteral("Atomstack S40 Max"));
