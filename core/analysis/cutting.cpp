@@ -182,9 +182,8 @@ Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout
     cutting.usedShare = usedShare(layout, parts.parts);
     for (const int index : layout.oversized)
         addOnce(cutting.oversized, nameOf(analysis, parts.parts[static_cast<std::size_t>(index)]));
-    cutting.drawing =
-        cuttingDrawing(layout, std::move(parts.parts), std::move(parts.engravings), analysis.model,
-                       {hasReference, parts.isKerfApplied});
+    cutting.drawing = cuttingDrawing(layout, std::move(parts.parts), std::move(parts.engravings),
+                                     analysis.model, {hasReference, parts.isKerfApplied});
     return cutting;
 }
 

@@ -63,9 +63,8 @@ std::vector<PinnedPart> pinnedParts(const std::vector<PinnedBody> &pinned,
     return parts;
 }
 
-std::optional<std::vector<PinnedPart>> lyingStill(const LyingParts &before,
-                                                  const std::vector<Part> &parts,
-                                                  const BodiesOfParts &bodies)
+std::optional<std::vector<PinnedPart>>
+lyingStill(const LyingParts &before, const std::vector<Part> &parts, const BodiesOfParts &bodies)
 {
     const BodiesOfParts old = bodiesOfParts(before.model, before.parts);
     std::vector<PinnedPart> changed, kept;
@@ -85,8 +84,8 @@ std::optional<std::vector<PinnedPart>> lyingStill(const LyingParts &before,
         (isSame ? kept : changed).push_back(pinned);
     }
     const std::size_t most = std::max(before.parts.size(), parts.size());
-    const auto few = std::max(kFewParts, static_cast<std::size_t>(kFewShare *
-                                                                  static_cast<double>(most)));
+    const auto few =
+        std::max(kFewParts, static_cast<std::size_t>(kFewShare * static_cast<double>(most)));
     if (most - stayed > few)
         return std::nullopt;
     // Where two clash, the later one goes.

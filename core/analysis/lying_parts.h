@@ -34,8 +34,7 @@ struct LyingParts
 
 /// All that lay there stays, and yields: what was changed before what was not, to be tried first
 /// where it was. Nothing where so much has changed, come or gone that all is to be laid anew.
-std::optional<std::vector<PinnedPart>> lyingStill(const LyingParts &before,
-                                                  const std::vector<Part> &parts,
-                                                  const BodiesOfParts &bodies);
+std::optional<std::vector<PinnedPart>>
+lyingStill(const LyingParts &before, const std::vector<Part> &parts, const BodiesOfParts &bodies);
 
 } // namespace fff

@@ -176,8 +176,7 @@ Result<Nested> nested(const Snapshot &snapshot, const Nested *previous, Progress
     }
     const BodiesOfParts bodies = bodiesOfParts(out.analysis->model, out.parts->parts);
     const LongWork work{stop, [&progress](double share) { progress.set(share); }};
-    NestedLayout made =
-        laid(before(previous, *out.question), isSameModel, out, bodies, work);
+    NestedLayout made = laid(before(previous, *out.question), isSameModel, out, bodies, work);
     out.isStopped = stop.stop_requested() && out.question->level != NestLevel::Quick;
     out.loosened = std::move(made.loosened);
     out.layout = std::make_shared<const Layout>(std::move(made.layout));

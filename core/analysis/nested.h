@@ -1,5 +1,5 @@
-// The stage of the sheets: how parts lie on them, where somebody wants to see it. Export writes what
-// lies here.
+// The stage of the sheets: how parts lie on them, where somebody wants to see it. Export writes
+// what lies here.
 #pragma once
 
 #include "core/analysis/cutting.h"
@@ -69,8 +69,8 @@ struct Nested
 };
 
 inline constexpr StageOf<Nested> kNested{"sheets"};
-/// Questions::sheets, which may be null. Given by itself: a search asks anew and anew, and what else
-/// is asked goes on meanwhile.
+/// Questions::sheets, which may be null. Given by itself: a search asks anew and anew, and what
+/// else is asked goes on meanwhile.
 inline constexpr StageOf<SheetsQuestion> kSheetsAsked{"sheets asked"};
 
 /// Never worse than what lay of the same parts before, as long as the same is asked: fewer that fit

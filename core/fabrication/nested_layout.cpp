@@ -232,8 +232,8 @@ double filledShare(const Layout &layout, const std::vector<Part> &parts,
     for (const Sheet &sheet : layout.sheets)
         if (!isOfOversized(sheet, layout))
             for (const Placement &placement : sheet.placements)
-                covered += std::abs(
-                    area(parts[static_cast<std::size_t>(placement.part)].outline.region));
+                covered +=
+                    std::abs(area(parts[static_cast<std::size_t>(placement.part)].outline.region));
     return taken > 0.0 ? covered / taken : 0.0;
 }
 

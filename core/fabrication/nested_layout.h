@@ -37,8 +37,9 @@ struct NestOptions
 struct NestedLayout
 {
     Layout layout;
-    std::int64_t work = 0;     // that was done
-    std::vector<int> loosened; // pinned parts that could not stay: too near to others, off the sheet
+    std::int64_t work = 0; // that was done
+    std::vector<int>
+        loosened; // pinned parts that could not stay: too near to others, off the sheet
 };
 
 /// As layOut(), for the same sheets with the same margin and spacing; holes and bays of parts are
@@ -56,9 +57,9 @@ struct NestedLayout
 NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
                      const LongWork &longWork = {});
 
-/// What a layout takes of its sheets, mm²: all of them, but of each stock's last one only as high as
-/// parts lie there, with the margin: the rest is whole. Not of oversized parts. The less of it, the
-/// better.
+/// What a layout takes of its sheets, mm²: all of them, but of each stock's last one only as high
+/// as parts lie there, with the margin: the rest is whole. Not of oversized parts. The less of it,
+/// the better.
 double takenArea(const Layout &layout, const std::vector<Part> &parts,
                  const LayoutOptions &options);
 /// How much of that parts cover, 0 … 1; 0 without sheets.

@@ -68,7 +68,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
          kSearchedMenu},
         {QT_TR_NOOP("&Section"),
          "section.addCircle section.addEllipse section.addRectangle section.addPolygon "
-         "section.addStar section.addSlot section.redraw section.takeOffer section.takeGuide mark.engrave "
+         "section.addStar section.addSlot section.redraw section.takeOffer section.takeGuide "
+         "mark.engrave "
          "mark.score "
          "section.importContour section.importHoles section.importMarks section.removeHoles "
          "section.dropToGround section.putOn section.free section.makeOrthogonal "

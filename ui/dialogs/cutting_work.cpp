@@ -75,8 +75,8 @@ void CuttingWork::begin()
         return;
     m_isRunning = true;
     QThreadPool::globalInstance()->start([mail = m_mail, nested] {
-        std::vector<SheetPaths> sheets = nested->cutting ? sheetPaths(nested->cutting->drawing)
-                                                         : std::vector<SheetPaths>();
+        std::vector<SheetPaths> sheets =
+            nested->cutting ? sheetPaths(nested->cutting->drawing) : std::vector<SheetPaths>();
         auto made = std::make_shared<const Made>(Made{nested->analysis, nested, std::move(sheets)});
         const std::scoped_lock lock(mail->mutex);
         if (CuttingWork *to = mail->to)

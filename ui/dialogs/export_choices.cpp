@@ -13,8 +13,7 @@ namespace {
 const QString kSpacingKey = QStringLiteral("export/spacing"),
               kMarginKey = QStringLiteral("export/margin"),
               kTurnsKey = QStringLiteral("export/turnsFreely"), // of versions before:
-              kTurningKey = QStringLiteral("export/turning"),
-              kHolesKey = QStringLiteral("export/fillsHoles"),
+    kTurningKey = QStringLiteral("export/turning"), kHolesKey = QStringLiteral("export/fillsHoles"),
               kReferenceKey = QStringLiteral("export/reference"),
               kMachineKey = QStringLiteral("export/machine"),
               kFolderKey = QStringLiteral("export/opensFolder"),

@@ -22,7 +22,8 @@ struct ExportFile
 
 struct ExportChoices
 {
-    LayoutOptions layout; // without a sheet: that is the stock's; nestOut() does not ask if it turns
+    LayoutOptions
+        layout; // without a sheet: that is the stock's; nestOut() does not ask if it turns
     nest::Turning turning = nest::Turning::Free;
     bool fillsHoles = true; // parts lie in holes of others
     bool hasReference = true;

@@ -184,8 +184,8 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     io::CuttingFileOptions options;
     static_cast<CuttingOptions &>(options) = rememberedChoices().cutting();
     // As they lie in sight, where they do.
-    options.lying = m_bench.nesting().layoutOf(m_bench.session().analysisPointer(),
-                                               *options.nesting);
+    options.lying =
+        m_bench.nesting().layoutOf(m_bench.session().analysisPointer(), *options.nesting);
     options.isFilePerSheet = kind.isFilePerSheet;
     options.format = kind.format;
     options.values = kind.values;

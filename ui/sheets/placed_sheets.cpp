@@ -56,8 +56,8 @@ double scaleOf(const SheetRow &row, const std::vector<SheetPaths> &sheets, const
 
 } // namespace
 
-PlacedSheets placeSheets(const std::vector<SheetPaths> &sheets, const std::vector<bool> &areTooLarge,
-                         const QSizeF &room)
+PlacedSheets placeSheets(const std::vector<SheetPaths> &sheets,
+                         const std::vector<bool> &areTooLarge, const QSizeF &room)
 {
     const std::vector<SheetRow> rows = rowsOf(sheets, areTooLarge);
     PlacedSheets placed;
@@ -74,8 +74,8 @@ PlacedSheets placeSheets(const std::vector<SheetPaths> &sheets, const std::vecto
         double left = 0.0, highest = 0.0;
         int number = 0;
         for (const std::size_t index : row.inOrder()) {
-            PlacedSheet one{index, QRectF(QPointF(left, top + kSheetCaption),
-                                          scale * sheets[index].size),
+            PlacedSheet one{index,
+                            QRectF(QPointF(left, top + kSheetCaption), scale * sheets[index].size),
                             areTooLarge[index], 0, static_cast<int>(row.sheets.size())};
             if (!one.isTooLarge)
                 one.number = ++number;

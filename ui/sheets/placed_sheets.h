@@ -23,15 +23,15 @@ struct PlacedSheet
 struct PlacedSheets
 {
     std::vector<PlacedSheet> all;
-    QSizeF size;             // of all of it, px: wider than the room where there are many
-    double rowHeight = 0.0;  // px, with the caption
+    QSizeF size;            // of all of it, px: wider than the room where there are many
+    double rowHeight = 0.0; // px, with the caption
 };
 
 inline constexpr double kSheetCaption = 20.0, kSheetGap = 14.0; // px, above and between sheets
 
 /// areTooLarge  of each sheet; room: px. The first two of each row fit, all of the others follow at
 /// the right.
-PlacedSheets placeSheets(const std::vector<SheetPaths> &sheets, const std::vector<bool> &areTooLarge,
-                         const QSizeF &room);
+PlacedSheets placeSheets(const std::vector<SheetPaths> &sheets,
+                         const std::vector<bool> &areTooLarge, const QSizeF &room);
 
 } // namespace fff::ui

@@ -78,9 +78,8 @@ SheetsDock::SheetsDock(Workbench &bench, QWidget *parent)
     setWidget(content);
 
     connect(m_view, &SheetsView::sectionHovered, this, &SheetsDock::light);
-    connect(m_view, &SheetsView::selected, &bench, [this](const std::vector<SectionRef> &sections) {
-        m_bench.select(sections);
-    });
+    connect(m_view, &SheetsView::selected, &bench,
+            [this](const std::vector<SectionRef> &sections) { m_bench.select(sections); });
     connect(&bench, &Workbench::selectionChanged, this,
             [this] { m_view->setSelected(m_bench.interaction().selection()); });
     connect(&bench, &Workbench::viewChanged, this, &SheetsDock::followView);
@@ -166,8 +165,7 @@ void SheetsDock::refresh()
     const QString said = note();
     const void *shown = m_work->made().get();
     if (shown != m_shown || isOlder != m_wasOlder || said != m_view->content().note) {
-        SheetsContent content =
-            said.isEmpty() ? sheetsContent(m_work->made()) : SheetsContent();
+        SheetsContent content = said.isEmpty() ? sheetsContent(m_work->made()) : SheetsContent();
         content.isOlder = isOlder;
         content.note = said;
         m_shown = shown;
@@ -190,13 +188,12 @@ void SheetsDock::refreshHead()
     m_stop->setVisible(isSearching);
     m_bar->setValue(static_cast<int>(std::lround(kThousand * filled)));
     //: %1 is a number: how much of the sheets is filled
-    m_bar->setFormat(
-        tr("Nesting… %1 %").arg(locale().toString(100.0 * filled, 'f', 1)));
+    m_bar->setFormat(tr("Nesting… %1 %").arg(locale().toString(100.0 * filled, 'f', 1)));
     if (isSearching)
         m_state->setText(tr("keeps the best so far"));
     else
         m_state->setText(m_wasOlder && m_view->content().note.isEmpty() ? tr("Nesting again…")
-                                                                       : QString());
+                                                                        : QString());
 }
 
 void SheetsDock::refreshTooLarge()
@@ -207,14 +204,13 @@ void SheetsDock::refreshTooLarge()
         return;
     const Model &model = m_work->made()->analysis->model;
     const QString name = QString::fromStdString(model.nameOf(sections.front()));
-    m_tooLargeText->setText(
-        sections.size() == 1
-            //: %1 is the name of a section
-            ? tr("%1 is too large for its sheet.").arg(name)
-            //: %1 is the name of a section
-            : tr("%1 and %n more are too large for their sheets.", nullptr,
-                 static_cast<int>(sections.size()) - 1)
-                  .arg(name));
+    m_tooLargeText->setText(sections.size() == 1
+                                //: %1 is the name of a section
+                                ? tr("%1 is too large for its sheet.").arg(name)
+                                //: %1 is the name of a section
+                                : tr("%1 and %n more are too large for their sheets.", nullptr,
+                                     static_cast<int>(sections.size()) - 1)
+                                      .arg(name));
 }
 
 /// One after the other: a grid is of one section.

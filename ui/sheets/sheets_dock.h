@@ -31,7 +31,7 @@ public:
     /// In the colours of the theme.
     void refreshColours();
 
-    static constexpr int kHeight = 400, kLeastHeight = 260; // px
+    static constexpr int kLeastHeight = 260; // px
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -201,7 +201,8 @@ void SheetsView::chooseNext(int by)
     const auto count = static_cast<int>(parts.size());
     int at = by > 0 ? -1 : count;
     for (int i = 0; i < count; ++i)
-        if (m_selected.contains(parts[static_cast<std::size_t>(i)].second) && (by > 0 || at == count))
+        if (m_selected.contains(parts[static_cast<std::size_t>(i)].second) &&
+            (by > 0 || at == count))
             at = i;
     Q_EMIT selected({parts[static_cast<std::size_t>((at + by + count) % count)].second});
 }

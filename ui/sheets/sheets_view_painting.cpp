@@ -11,7 +11,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr double kOlderSheets = 0.4; // opacity
+constexpr double kOlderSheets = 0.4;                        // opacity
 constexpr double kCaptionLine = 16.0, kCaptionAbove = 18.0; // px
 
 } // namespace
@@ -53,9 +53,9 @@ void SheetsView::paintCaption(const PlacedSheet &placed, QPainter &painter) cons
         tr(" \u00B7 %n part(s) \u00B7 %1 % used", nullptr, static_cast<int>(facts.parts.size()))
             .arg(locale().toString(100.0 * facts.usedShare, 'f', 1));
     if (line.width() > 24.0)
-        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(rest, Qt::ElideRight,
-                                                          static_cast<int>(line.width())));
+        painter.drawText(
+            line, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(rest, Qt::ElideRight, static_cast<int>(line.width())));
 }
 
 void SheetsView::paintAll()

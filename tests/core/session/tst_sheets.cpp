@@ -78,8 +78,7 @@ bool isSound(const Nested &nested)
         problem.pieces.push_back(piece);
         solution.places.push_back({part, lying.sheet, lying.turn, lying.offset});
     }
-    return problem.pieces.size() == nested.parts->parts.size() &&
-           !nest::faultOf(problem, solution);
+    return problem.pieces.size() == nested.parts->parts.size() && !nest::faultOf(problem, solution);
 }
 
 PinnedBody pinnedAt(const Nested &nested, int part, int sheet, const Vec2 &offset,
@@ -136,10 +135,9 @@ void TestSheets::theSameSeedGivesTheSame()
 
 void TestSheets::nobodyAsksAndNothingIsThere()
 {
-    const Snapshot snapshot(
-        1, {{kAnalysed.name,
-             std::make_shared<const Analysed>(Analysed{analysisOf(combModel(2)), nullptr})},
-            {kSheetsAsked.name, nullptr}});
+    const Snapshot snapshot(1, {{kAnalysed.name, std::make_shared<const Analysed>(
+                                                     Analysed{analysisOf(combModel(2)), nullptr})},
+                                {kSheetsAsked.name, nullptr}});
     Progress progress;
     QVERIFY(!nested(snapshot, nullptr, progress, {})->layout);
     const Nested empty = askedOf(analysisOf(newDocument()), {});
@@ -155,9 +153,8 @@ void TestSheets::pinnedPartsStay()
     const Nested free = askedOf(analysis, {});
     const double angle = radians(31.0);
     SheetsQuestion question;
-    question.pinned = {
-        pinnedAt(free, 3, 0, {300.125, 200.0}, {std::cos(angle), std::sin(angle)}),
-        pinnedAt(free, 5, 1, {100.0, 100.0})};
+    question.pinned = {pinnedAt(free, 3, 0, {300.125, 200.0}, {std::cos(angle), std::sin(angle)}),
+                       pinnedAt(free, 5, 1, {100.0, 100.0})};
     for (const Nested *previous : {static_cast<const Nested *>(nullptr), &free}) {
         const Nested pinned = askedOf(analysis, question, previous);
         const auto lying = lyingOn(pinned);
@@ -292,7 +289,8 @@ void TestSheets::holesAreRoomWhereTheyMay()
     const ShapePointer frame = *Shape::make(polygonContour(rectangleAt(0, 0, 190, 190)),
                                             {polygonContour(rectangleAt(20, 20, 150, 150))});
     Document document = withSection(newDocument(), frame, front());
-    document = withSection(std::move(document), polygonShape(rectangle(0, 0, 100, 100)), front(500));
+    document =
+        withSection(std::move(document), polygonShape(rectangle(0, 0, 100, 100)), front(500));
     Stock stock = *document.find(document.currentStock);
     stock.sheet = {200, 200};
     document = *setStock(std::move(document), stock);
