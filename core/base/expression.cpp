@@ -1,9 +1,10 @@
 #include "core/base/expression.h"
 
+#include "core/base/letters.h"
 #include "core/base/utf8.h"
+#include "core/base/written_number.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -15,31 +16,6 @@ using Fault = Expression::Fault;
 
 /// Parentheses and signs within each other, far more than anybody types: a file may have more.
 constexpr int kMostNested = 200;
-
-bool isBlank(char32_t c)
-{
-    return c == U' ' || (c >= U'\t' && c <= U'\r') || c == U'\u0085' || c == U'\u00a0' ||
-           c == U'\u1680' || (c >= U'\u2000' && c <= U'\u200a') || c == U'\u2028' ||
-           c == U'\u2029' || c == U'\u202f' || c == U'\u205f' || c == U'\u3000';
-}
-
-bool isDigit(char32_t c)
-{
-    return c >= U'0' && c <= U'9';
-}
-
-/// Beyond ASCII all that is in none of the blocks of signs: what is quoted is a whole word in any
-/// language.
-bool isLetter(char32_t c)
-{
-    if (c < U'\u00c0')
-        return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z') || c == U'\u00aa' ||
-               c == U'\u00b5' || c == U'\u00ba';
-    const bool isSign = c == U'\u00d7' || c == U'\u00f7' || isBlank(c) ||
-                        (c >= U'\u2000' && c < U'\u2100') || (c >= U'\u2190' && c < U'\u2c00') ||
-                        (c >= U'\u3001' && c < U'\u3040') || c >= U'\ufe00';
-    return !isSign;
-}
 
 char32_t lower(char32_t c)
 {
@@ -168,7 +144,6 @@ private:
             ++end;
         return end - m_at;
     }
-    static bool isNameLetter(char32_t c) { return isLetter(c) || c == U'_'; }
     std::optional<Quantity> inUnits(Quantity q)
     {
         if (q.power == 0)
@@ -334,17 +309,7 @@ private:
         while (m_at < m_text.size() &&
                (isDigit(m_text[m_at]) || m_text[m_at] == U'.' || m_text[m_at] == U','))
             word += static_cast<char>(m_text[m_at++]);
-        const std::size_t point = word.rfind('.'), comma = word.rfind(',');
-        if (point != word.npos && comma != word.npos) // the later one stands before the decimals
-            std::erase(word, point > comma ? ',' : '.');
-        else if (comma != word.npos && m_grammar.commas == Commas::Groups &&
-                 word.size() - comma == 4)
-            std::erase(word, ',');
-        std::replace(word.begin(), word.end(), ',', '.');
-        double value = 0.0;
-        const char *end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, value);
-        if (stop == end && error == std::errc())
+        if (const std::optional<double> value = writtenNumber(word, m_grammar.commas))
             return value;
         m_at = from;
         return std::nullopt;

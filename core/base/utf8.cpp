@@ -2,22 +2,26 @@
 
 namespace fff {
 
+char32_t takeLetter(std::string_view text, std::size_t &at)
+{
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(at);
+    const std::size_t more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
+    bool isWhole = first < 0x80 || (first >= 0xc2 && first < 0xf5);
+    char32_t letter = more == 0 ? first : first & (0x3fU >> more);
+    for (std::size_t k = 1; k <= more && isWhole; ++k) {
+        isWhole = at + k < text.size() && (byte(at + k) & 0xc0U) == 0x80U;
+        letter = isWhole ? (letter << 6U) | (byte(at + k) & 0x3fU) : letter;
+    }
+    at += isWhole ? more + 1 : 1;
+    return isWhole ? letter : U'\ufffd';
+}
+
 std::u32string decoded(std::string_view text)
 {
     std::u32string letters;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
-        const unsigned char first = byte(i);
-        const std::size_t more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
-        bool isWhole = first < 0x80 || (first >= 0xc2 && first < 0xf5);
-        char32_t letter = more == 0 ? first : first & (0x3fU >> more);
-        for (std::size_t k = 1; k <= more && isWhole; ++k) {
-            isWhole = i + k < text.size() && (byte(i + k) & 0xc0U) == 0x80U;
-            letter = isWhole ? (letter << 6U) | (byte(i + k) & 0x3fU) : letter;
-        }
-        letters.push_back(isWhole ? letter : U'\ufffd');
-        i += isWhole ? more + 1 : 1;
-    }
+    for (std::size_t i = 0; i < text.size();)
+        letters.push_back(takeLetter(text, i));
     return letters;
 }
 
