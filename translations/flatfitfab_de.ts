@@ -7281,6 +7281,244 @@
     </message>
 </context>
 <context>
+    <name>Values</name>
+    <message>
+        <source>A number, a name or a sum is missing.</source>
+        <translation>Es fehlt eine Zahl, ein Name oder eine Rechnung.</translation>
+    </message>
+    <message>
+        <source>An expression has no more than %1 letters; this one is longer.</source>
+        <translation>Ein Ausdruck hat höchstens %1 Zeichen; dieser ist länger.</translation>
+    </message>
+    <message>
+        <source>At “%1” the expression has more than %2 numbers, names and signs.</source>
+        <extracomment>numbers, names and signs such as +</extracomment>
+        <translation>Bei „%1“ hat der Ausdruck mehr als %2 Zahlen, Namen und Zeichen.</translation>
+    </message>
+    <message>
+        <source>At “%1” more than %2 parentheses or signs stand in each other.</source>
+        <translation>Bei „%1“ stehen mehr als %2 Klammern oder Vorzeichen ineinander.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read here.</source>
+        <translation>„%1“ kann hier nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Something is missing after “%1”.</source>
+        <translation>Hinter „%1“ fehlt etwas.</translation>
+    </message>
+    <message>
+        <source>Something is missing before “%1”.</source>
+        <translation>Vor „%1“ fehlt etwas.</translation>
+    </message>
+    <message>
+        <source>Between “%1” and “%2” a sign is missing, such as + or *.</source>
+        <translation>Zwischen „%1“ und „%2“ fehlt ein Zeichen wie + oder *.</translation>
+    </message>
+    <message>
+        <source>The parenthesis at “%1” is not closed.</source>
+        <translation>Die Klammer bei „%1“ ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>After “%1” there is one closing parenthesis too many.</source>
+        <translation>Nach „%1“ steht eine schließende Klammer zu viel.</translation>
+    </message>
+    <message>
+        <source>The text at “%1” has no closing quote.</source>
+        <translation>Dem Text bei „%1“ fehlt das schließende Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>“%1” can be one number or two: write a point, or a blank after the comma.</source>
+        <translation>„%1“ kann eine Zahl oder zwei sein: Schreib einen Punkt oder ein Leerzeichen nach dem Komma.</translation>
+    </message>
+    <message>
+        <source>“%1” is a unit; a number belongs before it.</source>
+        <translation>„%1“ ist eine Einheit; davor gehört eine Zahl.</translation>
+    </message>
+    <message>
+        <source>“%1” can be meant in two ways: put “%2” in parentheses.</source>
+        <translation>„%1“ lässt sich auf zwei Arten verstehen: Setz „%2“ in Klammern.</translation>
+    </message>
+    <message>
+        <source>“%1” is a second comparison; and(…; …) joins two of them.</source>
+        <translation>„%1“ ist ein zweiter Vergleich; and(…; …) verbindet zwei davon.</translation>
+    </message>
+    <message>
+        <source>There is no function named “%1”.</source>
+        <translation>Es gibt keine Funktion namens „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” takes %2 between its parentheses, not %3.</source>
+        <translation>„%1“ braucht in der Klammer genau %2, nicht %3.</translation>
+    </message>
+    <message>
+        <source>“%1” takes at least %2 between its parentheses, not %3.</source>
+        <translation>„%1“ braucht in der Klammer mindestens %2, nicht %3.</translation>
+    </message>
+    <message>
+        <source>“%1” takes at most %2 between its parentheses, not %3.</source>
+        <translation>„%1“ nimmt in der Klammer höchstens %2, nicht %3.</translation>
+    </message>
+    <message>
+        <source>There is no value named “%1”.</source>
+        <translation>Es gibt keinen Wert namens „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” is the thickness of the stock; there is no single stock here.</source>
+        <translation>„%1“ ist die Dicke des Materials; hier gibt es nicht nur ein Material.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2, so it cannot have a unit of its own.</source>
+        <translation>„%1“ ist %2 und kann deshalb keine eigene Einheit haben.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2 and “%3” is %4; only what is alike can be added or compared.</source>
+        <extracomment>%2 and %4: such as “a length”</extracomment>
+        <translation>„%1“ ist %2 und „%3“ ist %4; nur Gleichartiges lässt sich addieren oder vergleichen.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; nothing can be calculated with it.</source>
+        <translation>„%1“ ist %2; damit lässt sich nicht rechnen.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; what is needed here is %3.</source>
+        <extracomment>%2 and %3: such as “a length”</extracomment>
+        <translation>„%1“ ist %2; gebraucht wird hier %3.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can only be raised to a small whole number, such as 2, not to “%3”.</source>
+        <translation>„%1“ ist %2; als Exponent geht nur eine kleine ganze Zahl wie 2, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>“%1” multiplies too many lengths, angles or masses.</source>
+        <translation>„%1“ multipliziert zu viele Längen, Winkel oder Massen.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2, which has no square root.</source>
+        <translation>„%1“ ist %2; daraus gibt es keine Wurzel.</translation>
+    </message>
+    <message>
+        <source>“%1” is 0, and nothing can be divided by 0.</source>
+        <translation>„%1“ ist 0, und durch 0 lässt sich nicht teilen.</translation>
+    </message>
+    <message>
+        <source>“%1” is negative and has no square root.</source>
+        <translation>„%1“ ist negativ und hat keine Wurzel.</translation>
+    </message>
+    <message>
+        <source>The tangent of “%1” is infinite.</source>
+        <translation>Der Tangens von „%1“ ist unendlich.</translation>
+    </message>
+    <message>
+        <source>“%1” is not between −1 and 1, so it belongs to no angle.</source>
+        <translation>„%1“ liegt nicht zwischen −1 und 1 und gehört deshalb zu keinem Winkel.</translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation>„%1“ ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>“%1” is not above 0, and nothing can be rounded to steps of that.</source>
+        <translation>„%1“ ist nicht größer als 0; auf solche Schritte lässt sich nicht runden.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large.</source>
+        <translation>„%1“ ist zu groß.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2, not a whole number; round, floor or ceil make it one.</source>
+        <extracomment>%2: a number</extracomment>
+        <translation>„%1“ ist %2, keine ganze Zahl; round, floor oder ceil machen eine daraus.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it has to be at least %3.</source>
+        <extracomment>%2 and %3: lengths, masses, angles or numbers</extracomment>
+        <translation>„%1“ ist %2; es muss mindestens %3 sein.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2; it can be at most %3.</source>
+        <translation>„%1“ ist %2; es darf höchstens %3 sein.</translation>
+    </message>
+    <message>
+        <source>“%1” is “%2”, which is none of the choices.</source>
+        <translation>„%1“ ist „%2“; das steht nicht zur Wahl.</translation>
+    </message>
+    <message>
+        <source>“%1” makes a text of more than %2 letters.</source>
+        <translation>„%1“ ergibt einen Text von mehr als %2 Zeichen.</translation>
+    </message>
+    <message>
+        <source>This value is made of itself: %1.</source>
+        <extracomment>%1: such as “a → b → a”</extracomment>
+        <translation>Dieser Wert hängt von sich selbst ab: %1.</translation>
+    </message>
+    <message>
+        <source>This value is made of “%1”, which has none at the moment.</source>
+        <translation>Dieser Wert hängt von „%1“ ab, und das hat gerade keinen.</translation>
+    </message>
+    <message>
+        <source>Two values are named “%1”.</source>
+        <translation>Zwei Werte heißen „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” is no name; a name is a letter, then letters, digits and _, %2 at most.</source>
+        <translation>„%1“ ist kein Name; ein Name ist ein Buchstabe, dann Buchstaben, Ziffern und _, höchstens %2.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be a name, as it means something in expressions.</source>
+        <translation>„%1“ kann kein Name sein, denn es bedeutet in Ausdrücken schon etwas.</translation>
+    </message>
+    <message>
+        <source>This value is not there any more.</source>
+        <translation>Diesen Wert gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The brace at “%1” is not closed.</source>
+        <translation>Die geschweifte Klammer bei „%1“ ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>a plain number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a yes or no</source>
+        <translation>ein Ja oder Nein</translation>
+    </message>
+    <message>
+        <source>no length, angle, mass or plain number</source>
+        <extracomment>of what lengths, angles and masses are multiplied and divided to: “1/width” is …</extracomment>
+        <translation>weder Länge, Winkel, Masse noch reine Zahl</translation>
+    </message>
+</context>
+<context>
     <name>fff::SectionNames</name>
     <message>
         <source>%1 and %2</source>

@@ -1,0 +1,3 @@
+fff_tests(tests_values LIBRARIES fff::core TESTS
+    core/values/tst_formula
+    core/values/tst_values)
