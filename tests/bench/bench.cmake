@@ -15,7 +15,8 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/report.cpp
     ${CMAKE_CURRENT_LIST_DIR}/strength_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_event.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/text_table.cpp)
+    ${CMAKE_CURRENT_LIST_DIR}/text_table.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/value_cost.cpp)
 target_link_libraries(flatfitfab-bench PRIVATE fff::session)
 target_precompile_headers(flatfitfab-bench REUSE_FROM fff_session)
 if(TARGET fff::view) # its arrays need no display

@@ -9,6 +9,7 @@
 #include "tests/bench/report.h"
 #include "tests/bench/strength_cost.h"
 #include "tests/bench/stroke_event.h"
+#include "tests/bench/value_cost.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -162,11 +163,9 @@ int main(int argc, char **argv)
     parser.addOption({QStringLiteral("meshes"),
                       QStringLiteral("What meshes to draw over cost, instead; of the runs the "
                                      "shortest.")});
-    parser.addOption({QStringLiteral("nesting"),
-                      QStringLiteral("How close the items of the folders' strips (.json) come in "
-                                     "these seconds of work, and what first layouts cost, "
-                                     "instead."),
-                      QStringLiteral("S,…")});
+    parser.addOption({QStringLiteral("values"),
+                      QStringLiteral("What values that are made of each other cost, instead; of "
+                                     "the runs the shortest.")});
     parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
                                  QStringLiteral("[FOLDER…]"));
     parser.process(application);
@@ -190,15 +189,8 @@ int main(int argc, char **argv)
         QTextStream(stdout) << QString::fromStdString(meshTable(meshCosts(runs, kernel)));
         return 0;
     }
-    if (parser.isSet(QStringLiteral("nesting"))) {
-        std::vector<double> seconds;
-        for (const QString &s : parser.value(QStringLiteral("nesting")).split(QLatin1Char(',')))
-            seconds.push_back(s.toDouble());
-        const auto strips = stripResults(parser.positionalArguments(), seconds, only);
-        if (!strips)
-            return fail(io::errorText(strips.error()));
-        QTextStream(stdout) << QString::fromStdString(stripTable(*strips, seconds))
-                            << QString::fromStdString(nestingTable(nestingCosts(runs, kernel)));
+    if (parser.isSet(QStringLiteral("values"))) {
+        QTextStream(stdout) << QString::fromStdString(valueTable(valueCosts(runs, kernel)));
         return 0;
     }
     std::optional<Peer> peer;
