@@ -3368,10 +3368,6 @@
         <source>Parts close together on sheets, or the items of a strip (.json)</source>
         <translation>Teile dicht beieinander auf Platten, oder die Stücke eines Streifens (.json)</translation>
     </message>
-    <message>
-        <source>Parts close together on sheets, or the items of a strip (.json)</source>
-        <translation>Teile dicht an dicht auf Platten, oder die Stücke eines Streifens (.json)</translation>
-    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -9223,14 +9219,16 @@
         <translation>Irgendein Laser</translation>
     </message>
     <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen</translation>
         <source>Half turns</source>
         <translation>Halbe Drehungen</translation>
     </message>
     <message>
         <source>As drawn</source>
         <translation>Wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
+        <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen</translation>
     </message>
 </context>
 <context>
