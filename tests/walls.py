@@ -6,9 +6,9 @@ import pathlib
 import re
 import sys
 
-CORE = ["base", "values", "geometry", "model", "templates", "assembly", "operations", "physics", "fabrication", "skin", "analysis",
+CORE = ["base", "values", "geometry", "nesting", "model", "templates", "assembly", "operations", "physics", "fabrication", "skin", "analysis",
         "stroke", "interaction", "io", "session"]
-UI = ["view", "settings", "base", "bench", "actions", "properties", "cards", "docks", "dialogs", "files", "start", "steps",
+UI = ["view", "settings", "base", "bench", "actions", "properties", "cards", "docks", "dialogs", "sheets", "files", "start", "steps",
       "window"]
 # In what order whole folders stand; a file of one of these may use all of those before.
 HOUSES = ["core", "ui", "app"]

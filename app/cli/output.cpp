@@ -7,6 +7,7 @@
 #include "core/io/cutting_file.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
+#include "core/io/machine_library.h"
 #include "core/nesting/problem.h"
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
@@ -33,6 +34,14 @@ QString joined(const std::vector<std::string> &names)
     for (const std::string &name : names)
         list += QString::fromStdString(name);
     return list.join(QStringLiteral(", "));
+}
+
+QString machineKeys()
+{
+    QStringList keys;
+    for (const auto &machine : io::machineLibrary())
+        keys += QString::fromStdString(machine->key);
+    return io::enumerated(keys, tr("%1 or %2"));
 }
 
 constexpr double kMostNestSeconds = 3600.0;

@@ -145,7 +145,7 @@ Result<CutParts> cutParts(const Analysis &analysis, bool compensatesKerf)
         cutting.withoutPart.push_back(
             analysis.model.section(static_cast<std::size_t>(section))->name);
     cutting.partCount = static_cast<int>(made.parts.size());
-    cutting.list = partList(made.parts, analysis.model);
+    made.list = partList(made.parts, analysis.model);
     const auto slit = narrowestDrawn(analysis, compensatesKerf);
     if (!slit)
         return tl::unexpected(slit.error());
@@ -172,7 +172,7 @@ Result<CutParts> cutParts(const Analysis &analysis, bool compensatesKerf)
 }
 
 Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout &layout,
-                          bool hasReference)
+                          const DrawingExtras &extras)
 {
     if (parts.isKerfApplied) {
         if (const auto judged = judgeWritten(analysis, layout, parts.parts); !judged)
@@ -182,8 +182,10 @@ Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout
     cutting.usedShare = usedShare(layout, parts.parts);
     for (const int index : layout.oversized)
         addOnce(cutting.oversized, nameOf(analysis, parts.parts[static_cast<std::size_t>(index)]));
-    cutting.drawing = cuttingDrawing(layout, std::move(parts.parts), std::move(parts.engravings),
-                                     analysis.model, {hasReference, parts.isKerfApplied});
+    cutting.drawing =
+        cuttingDrawing(layout, std::move(parts.parts), std::move(parts.engravings), analysis.model,
+                       {extras.hasReference, parts.isKerfApplied, extras.machine});
+    cutting.drawing.list = std::move(parts.list);
     return cutting;
 }
 
@@ -193,7 +195,7 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
     if (!parts)
         return tl::unexpected(std::move(parts.error()));
     const Layout layout = layoutOf(analysis.model, parts->parts, options);
-    return cuttingOf(analysis, *std::move(parts), layout, options.hasReference);
+    return cuttingOf(analysis, *std::move(parts), layout, options);
 }
 
 } // namespace fff

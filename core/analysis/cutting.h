@@ -14,15 +14,20 @@
 
 namespace fff {
 
-struct CuttingOptions
+/// What is drawn besides the parts.
+struct DrawingExtras
+{
+    bool hasReference = true; // a 100 mm bar beside the sheets, to check the printed size
+    std::shared_ptr<const Machine> machine = nullptr; // that it is for; none: no particular one
+};
+
+struct CuttingOptions : DrawingExtras
 {
     LayoutOptions layout;
     std::optional<NestOptions> nesting = {}; // by true outlines, with `layout`; none: by boxes
     /// How the parts lie already, with these options; null: they are to be laid.
     std::shared_ptr<const Layout> lying = {};
     bool compensatesKerf = true; // each cut path offset by half its stock's kerf
-    bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
-    std::shared_ptr<const Machine> machine = nullptr; // that it is for; none: no particular one
 };
 
 /// The narrowest slit as it is drawn: the cutter takes the kerf off its walls again.
@@ -51,7 +56,8 @@ struct CutParts
 {
     std::vector<Part> parts; // as they are cut
     std::vector<Engraving> engravings;
-    Cutting cutting; // without a drawing
+    std::vector<ListedPart> list; // of all parts as designed, without kerf
+    Cutting cutting;              // without a drawing
     bool isKerfApplied = false;
 };
 
@@ -64,7 +70,7 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
 Result<CutParts> cutParts(const Analysis &analysis, bool compensatesKerf);
 /// layout  of these parts, which are the analysis's
 Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout &layout,
-                          bool hasReference);
+                          const DrawingExtras &extras);
 
 /// Of a model that has no part: whether because it has no section, or because slits leave nothing.
 tl::unexpected<Error> nothingToExport(const Analysis &analysis);

@@ -128,7 +128,7 @@ NestedLayout laid(const Nested *last, bool areSameParts, const Nested &now,
 void finish(Nested &out)
 {
     const LayoutOptions &options = out.question->nesting.layout;
-    Result<Cutting> cutting = cuttingOf(*out.analysis, *out.parts, *out.layout, true);
+    Result<Cutting> cutting = cuttingOf(*out.analysis, *out.parts, *out.layout, {});
     if (!cutting) {
         out.why = std::move(cutting.error());
         return;

@@ -163,6 +163,11 @@ int main(int argc, char **argv)
     parser.addOption({QStringLiteral("meshes"),
                       QStringLiteral("What meshes to draw over cost, instead; of the runs the "
                                      "shortest.")});
+    parser.addOption({QStringLiteral("nesting"),
+                      QStringLiteral("How close the items of the folders' strips (.json) come in "
+                                     "these seconds of work, and what first layouts cost, "
+                                     "instead."),
+                      QStringLiteral("S,…")});
     parser.addOption({QStringLiteral("values"),
                       QStringLiteral("What values that are made of each other cost, instead; of "
                                      "the runs the shortest.")});
@@ -187,6 +192,17 @@ int main(int argc, char **argv)
     const int runs = std::max(1, parser.value(QStringLiteral("runs")).toInt());
     if (parser.isSet(QStringLiteral("meshes"))) {
         QTextStream(stdout) << QString::fromStdString(meshTable(meshCosts(runs, kernel)));
+        return 0;
+    }
+    if (parser.isSet(QStringLiteral("nesting"))) {
+        std::vector<double> seconds;
+        for (const QString &s : parser.value(QStringLiteral("nesting")).split(QLatin1Char(',')))
+            seconds.push_back(s.toDouble());
+        const auto strips = stripResults(parser.positionalArguments(), seconds, only);
+        if (!strips)
+            return fail(io::errorText(strips.error()));
+        QTextStream(stdout) << QString::fromStdString(stripTable(*strips, seconds))
+                            << QString::fromStdString(nestingTable(nestingCosts(runs, kernel)));
         return 0;
     }
     if (parser.isSet(QStringLiteral("values"))) {
