@@ -71,8 +71,9 @@ CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &fo
 
 struct SectionStress
 {
-    /// False where the numbers are not to be relied on: there is no neck that counts, the piece
-    /// hangs together by points, a force or the sheet is no number, or one that no sheet has.
+    /// False where the numbers are not to be relied on: there is no neck that counts (but in what
+    /// lies on the ground with all of it, which strains nothing), the piece hangs together by
+    /// points, a force or the sheet is no number, or one that no sheet has.
     bool isWorkedOut = false;
     std::vector<NeckStress> necks; // all samples, then the refined ones
     int worstNeck = -1;            // of `necks` that count, by neckUse; −1 without any
