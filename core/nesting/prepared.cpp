@@ -10,17 +10,38 @@ namespace fff::nest {
 
 namespace {
 
-Region turnedBack(const Region &region)
+Vec2 swapped(const Vec2 &p)
 {
-    const auto turn = [](Polygon polygon) {
-        for (Vec2 &p : polygon)
-            p = Vec2(p.y(), -p.x());
-        return polygon;
-    };
-    Region result{turn(region.outer), {}};
-    for (const Polygon &hole : region.holes)
-        result.holes.push_back(turn(hole));
+    return {p.y(), p.x()};
+}
+
+Polygon swapped(const Polygon &polygon)
+{
+    Polygon result;
+    for (auto p = polygon.rbegin(); p != polygon.rend(); ++p) // a mirror image runs the other way
+        result.push_back(swapped(*p));
     return result;
+}
+
+Region swapped(const Region &region)
+{
+    Region result{swapped(region.outer), {}};
+    for (const Polygon &hole : region.holes)
+        result.holes.push_back(swapped(hole));
+    return result;
+}
+
+/// What a turn is in the mirror, either way.
+Vec2 swappedTurn(const Vec2 &turn)
+{
+    return {turn.x(), -turn.y()};
+}
+
+std::vector<Vec2> swappedTurns(std::vector<Vec2> turns)
+{
+    for (Vec2 &turn : turns)
+        turn = swappedTurn(turn);
+    return turns;
 }
 
 /// By how much shapes may be larger where that saves corners: hardly to be seen.
@@ -30,12 +51,19 @@ double savingOf(const Problem &problem)
     return std::max(std::min(kShare * problem.spacing, kMost), problem.chord);
 }
 
+/// Sheets are larger than they have to be by this, mm, so that what just fits does fit: pieces are
+/// moved back by so much in the end (nester.cpp), but not off holes and bays.
+constexpr double kSheetSlack = 0.2 * kSlackForRounding;
+
 Prepared::Sheet sheetOf(const SheetKind &kind, double inset)
 {
     Prepared::Sheet sheet;
     sheet.count = kind.count;
-    const Inside inside = insideOf(turnedBack(kind.outline), inset);
+    const Inside inside = insideOf(swapped(kind.outline), inset);
     sheet.box = inside.box;
+    if (!sheet.box.isEmpty())
+        sheet.box = {sheet.box.min - Vec2::Constant(kSheetSlack),
+                     sheet.box.max + Vec2::Constant(kSheetSlack)};
     for (const Region &obstacle : inside.obstacles)
         sheet.obstacles.push_back(
             shapeOf(obstacle, {Vec2::UnitX()}, false, std::abs(fff::area(obstacle))));
@@ -48,6 +76,7 @@ Prepared::Sheet stripOf(const Prepared &prepared, const Problem &problem, double
     for (std::size_t i = 0; i < prepared.shapes.size(); ++i)
         length += prepared.shapes[i].diameter * std::max(0, problem.pieces[i].demand);
     Prepared::Sheet sheet;
+    inset -= kSheetSlack;
     sheet.box = {Vec2::Constant(inset), Vec2(inset + length, problem.stripHeight - inset)};
     return sheet;
 }
@@ -59,15 +88,14 @@ Prepared prepare(const Problem &problem)
     Prepared prepared;
     prepared.isStrip = problem.stripHeight > 0.0;
     const double room = 0.5 * problem.spacing + problem.chord + kSlackForRounding;
-    // Sheets are larger than they have to be by less than that, so that what just fits does fit.
-    const double inset = problem.margin - room - 0.2 * kSlackForRounding;
+    const double inset = problem.margin - room;
     for (const Piece &piece : problem.pieces) {
-        const Region outline = prepared.isStrip ? piece.outline : turnedBack(piece.outline);
+        const Region outline = prepared.isStrip ? piece.outline : swapped(piece.outline);
+        const std::vector<Vec2> given = prepared.isStrip ? piece.turns : swappedTurns(piece.turns);
         const double saving =
             problem.spacing > 0.0 || problem.chord > 0.0 ? savingOf(problem) : 0.0;
         Region grown = grownOutline(outline, room, saving);
-        const std::vector<Vec2> turns =
-            piece.turnsFreely ? goodTurns(grown.outer, piece.turns) : piece.turns;
+        const std::vector<Vec2> turns = piece.turnsFreely ? goodTurns(grown.outer, given) : given;
         prepared.shapes.push_back(
             shapeOf(std::move(grown), turns, piece.turnsFreely, fff::area(piece.outline)));
     }
@@ -85,10 +113,12 @@ Place placeOf(const Prepared &prepared, int piece, int sheet, const Pose &pose)
     Place place;
     place.piece = piece;
     place.sheet = sheet;
-    place.turn = pose.turn == Pose::kFree ? pose.direction
-                                          : shape.turns[static_cast<std::size_t>(pose.turn)].turn;
-    const Vec2 at = pose.at + turned(shape.moved, place.turn);
-    place.offset = prepared.isStrip ? at : Vec2(-at.y(), at.x());
+    const Vec2 turn = pose.turn == Pose::kFree
+                          ? pose.direction
+                          : shape.turns[static_cast<std::size_t>(pose.turn)].turn;
+    const Vec2 at = pose.at + turned(shape.moved, turn);
+    place.turn = prepared.isStrip ? turn : swappedTurn(turn);
+    place.offset = prepared.isStrip ? at : swapped(at);
     return place;
 }
 

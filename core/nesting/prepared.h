@@ -24,8 +24,8 @@ struct Prepared
 /// them overlap: mm.
 inline constexpr double kSlackForRounding = 1e-5;
 
-/// Everything becomes shorter along x; sheets, which fill from below, are turned by a right angle
-/// for that.
+/// Everything becomes shorter along x, the lower side first. Sheets fill from below, the left side
+/// first: they are seen in a mirror for that, x and y swapped.
 Prepared prepare(const Problem &problem);
 
 /// How a piece lies, seen by its problem.

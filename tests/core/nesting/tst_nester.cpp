@@ -97,7 +97,12 @@ void TestNester::layoutsAreSound()
         const QString wrong = whatIsWrong(problem, solution);
         QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1: ").arg(seed) + wrong));
         QVERIFY(solution.left.empty());
-        QVERIFY(!nest::faultOf(problem, solution));
+        const auto fault = nest::faultOf(problem, solution);
+        QVERIFY2(!fault, qPrintable(QStringLiteral("seed %1: fault %2 of %3 and %4")
+                                        .arg(seed)
+                                        .arg(static_cast<int>(fault->kind))
+                                        .arg(fault->first)
+                                        .arg(fault->second)));
     }
 }
 
