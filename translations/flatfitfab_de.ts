@@ -11914,7 +11914,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Wie gut die Teile ausgelegt werden</translation>
     </message>
     <message>
-        <source>Quick lays all parts anew. Good takes about ten seconds. Best goes on until you stop it.</source>
+        <source>Quick lays all parts again. Good takes about ten seconds. Best goes on until you stop it.</source>
         <translation>Schnell legt alle Teile neu aus. Gut dauert etwa zehn Sekunden. Am besten sucht weiter, bis du anhältst.</translation>
     </message>
     <message>

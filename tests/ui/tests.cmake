@@ -40,6 +40,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/properties/tst_link_row
     ui/properties/tst_slider_field
     ui/settings/tst_settings
+    ui/sheets/tst_sheets_dock
     ui/start/tst_samples
     ui/tst_docks
     ui/tst_focus
@@ -59,8 +60,6 @@ target_compile_definitions(tests_ui PRIVATE FFF_SOURCES="${PROJECT_SOURCE_DIR}"
 if(FFF_SANITIZE) # dialogs load what draws, as on a display
     set_tests_properties(ui/dialogs/tst_dialogs PROPERTIES ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")
 endif()
-
-fff_tests(tests_sheets_dock LIBRARIES fff::ui TESTS ui/sheets/tst_sheets_dock)
 
 # A real window with a real OpenGL view.
 set(windows

@@ -93,15 +93,19 @@ void LayoutGroup::addSheet()
 {
     const auto read = [this] {
         const Stock &of = *m_bench.session().committed().document.find(stock());
+        // Without their names, which the column has no room for: Export has them.
+        const auto choiceOf = [this](const Vec2 &size) {
+            return Choice{sizeText({size.x(), size.y()}, 1, locale()), {}};
+        };
         Choices choices;
         for (const SheetSize &sheet : commonSheets()) {
             if (sheet.size == of.sheet)
                 choices.current = static_cast<int>(choices.all.size());
-            choices.all.push_back({sheetText(sheet, locale()), {}});
+            choices.all.push_back(choiceOf(sheet.size));
         }
         if (choices.current < 0) { // its own size, as the stock has it
             choices.current = static_cast<int>(choices.all.size());
-            choices.all.push_back({sizeText({of.sheet.x(), of.sheet.y()}, 1, locale()), {}});
+            choices.all.push_back(choiceOf(of.sheet));
         }
         return choices;
     };

@@ -95,7 +95,7 @@ QWidget *SheetsDock::makeHead()
     m_level = new SegmentedBox({tr("Quick"), tr("Good"), tr("Best")}, head);
     m_level->setObjectName(QStringLiteral("sheetsLevel"));
     m_level->setSpoken(tr("How well parts are laid"));
-    m_level->setToolTip(tr("Quick lays all parts anew. Good takes about ten seconds. Best goes on "
+    m_level->setToolTip(tr("Quick lays all parts again. Good takes about ten seconds. Best goes on "
                            "until you stop it."));
     m_bar = new QProgressBar(head);
     m_bar->setObjectName(QStringLiteral("sheetsBar"));

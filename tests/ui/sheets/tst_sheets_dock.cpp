@@ -7,14 +7,17 @@
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 #include "tests/ui/dialogs/export_hand.h"
+#include "ui/base/translations.h"
 #include "ui/dialogs/sheet_view.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/link_row.h"
 #include "ui/sheets/sheets_dock.h"
 #include "ui/sheets/sheets_view.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -294,5 +297,13 @@ void TestSheetsDock::closedNothingIsWorkedOut()
     QVERIFY(!bench().session().scheduler().questions().sheets);
 }
 
-FFF_TEST(TestSheetsDock)
+FFF_TEST_WITH(TestSheetsDock, [](int argc, char *argv[]) {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setQuitOnLastWindowClosed(false);
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    installTranslations(application);
+    TestSheetsDock test;
+    return QTest::qExec(&test, argc, argv);
+})
 #include "tst_sheets_dock.moc"
