@@ -1,6 +1,7 @@
 #include "core/assembly/found_joint.h"
 
 #include "core/assembly/crossing.h"
+#include "core/assembly/grid_side.h"
 #include "core/assembly/joint_wish.h"
 
 #include <memory>
@@ -48,7 +49,10 @@ JointSide sideOf(const Model &model, int section)
 
 JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
 {
-    return cutSlits(crossing, sideOf(model, a), sideOf(model, b), isLower(model, a, b), wish);
+    JointWish known = wish;
+    if (known.sign == 0)
+        known.sign = sideInGrid(model, a, b, crossing);
+    return cutSlits(crossing, sideOf(model, a), sideOf(model, b), isLower(model, a, b), known);
 }
 
 tl::expected<TabJoint, NoTabs> tabsOf(const Model &model, int a, int b)

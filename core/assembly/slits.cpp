@@ -1,6 +1,7 @@
 #include "core/assembly/slits.h"
 
 #include "core/assembly/lobes.h"
+#include "core/assembly/upwards.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -13,18 +14,6 @@ namespace {
 // A slit's rectangle reaches this far beyond the contour, so that no skin of rounding closes its
 // mouth.
 constexpr double kMouthOvershoot = 0.05; // mm
-// Components of a unit direction below this are rounding when deciding what is "up".
-constexpr double kLevel = 1e-6;
-
-/// Upwards is +Y; for a level axis +X, then +Z, so that the answer does not hang on rounding.
-bool pointsUp(const Vec3 &direction)
-{
-    for (const double component : {direction.y(), direction.x(), direction.z()}) {
-        if (std::abs(component) > kLevel)
-            return component > 0.0;
-    }
-    return true;
-}
 
 /// What one way of sliding makes of one overlap. `sign` +1: a opens along the axis' direction and b
 /// against it. An end on a hole opens to nothing; then the other section's slit must take the whole
