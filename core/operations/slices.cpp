@@ -20,12 +20,22 @@ namespace {
 using Unit = ParameterSpec::Unit;
 
 constexpr int kMostPlanes = 500; // of one direction
+/// As this version of the operation makes them, planes of a grid keep off the template's ends, and
+/// what is thin all over is no section.
+constexpr int kKeepsOffEnds = 2;
+/// In a grid, the sections across go on beyond the outermost plane by that much at least, as times
+/// the thickness of the sheet, counted from the middle of the slit: what is left beside the slit is
+/// as wide as the sheet is thick. Where the template ends in a steep wall, less would be prongs.
+constexpr double kLeastEnd = 1.5;
+/// A piece that is nowhere wider than this, as times its sheet's thickness, is no section.
+constexpr double kLeastWidth = 2.0;
 
 /// Planes of one direction, in their order.
 struct SlicePlanes
 {
     char key = 'x';
     std::vector<Frame> frames = {};
+    int first = 0; // number of the first of them
 };
 
 /// Across an axis of the world, upright as it is seen from there.
@@ -67,14 +77,17 @@ class Slicer
 {
 public:
     Slicer(OperationContext &context, const Template &subject)
-        : m_context(context), m_subject(subject), m_bounds(worldBounds(subject, *subject.mesh))
+        : m_context(context), m_subject(subject), m_bounds(worldBounds(subject, *subject.mesh)),
+          m_thickness(context.stock(context.stockOfNew()).thickness)
     {
     }
 
     void slice();
 
 private:
-    SlicePlanes across(int axis) const;
+    /// mm, of a plane of a grid from the end of the template.
+    double leastEnd() const;
+    SlicePlanes across(int axis);
     SlicePlanes around() const;
     void cut(const SlicePlanes &planes);
     void cutAlong(const Section &spine);
@@ -84,29 +97,53 @@ private:
     void add(const std::string &key, std::string name, const Frame &frame,
              const TemplateLoop &outer, const std::vector<const TemplateLoop *> &holes);
     void hollow(const Contour &contour, std::vector<Contour> &holes) const;
+    bool isThin(const TemplateLoop &outer) const;
 
     OperationContext &m_context;
     const Template &m_subject;
     const Box3 m_bounds;
+    const double m_thickness; // of the sheet, mm
     int m_made = 0, m_slivers = 0, m_failed = 0;
+    int m_atEnds = 0; // planes that are left out
 };
 
-/// As many as asked for, or as fit; always evenly about the middle of the template.
-SlicePlanes Slicer::across(int axis) const
+double Slicer::leastEnd() const
 {
-    const double size = m_bounds.size()[axis];
+    const bool isGrid = m_context.choice("direction").size() == 2;
+    return isGrid && m_context.operation().version >= kKeepsOffEnds ? kLeastEnd * m_thickness : 0.0;
+}
+
+/// As many as asked for, or as fit; always evenly about the middle of the template. In a grid they
+/// move together as far as they have to keep off its ends; one that is shifted there is left out.
+SlicePlanes Slicer::across(int axis)
+{
+    const double size = m_bounds.size()[axis], end = leastEnd();
+    const double room = std::max(size - 2.0 * end, 0.0);
     const double middle = 0.5 * (m_bounds.min[axis] + m_bounds.max[axis]);
     const bool isByCount = m_context.choice("planesBy") == "count";
     const double spacing = m_context.number("spacing");
-    const int count = isByCount
-                          ? m_context.count("count")
-                          : std::clamp(static_cast<int>(std::ceil(size / spacing)), 1, kMostPlanes);
-    const double step = isByCount ? size / count : spacing;
+    int count = m_context.count("count");
+    if (!isByCount) {
+        count = std::clamp(static_cast<int>(std::ceil(size / spacing)), 1, kMostPlanes);
+        if (end > 0.0)
+            count = std::min(count, 1 + static_cast<int>(std::floor(room / spacing)));
+    } else if (room <= 0.0 && count > 1) {
+        m_atEnds += count - 1;
+        count = 1;
+    }
+    const double even = count > 1 ? std::min(size / count, room / (count - 1)) : size;
+    const double step = isByCount ? even : spacing;
     SlicePlanes planes{"xyz" [axis], {}};
     for (int i = 0; i < count; ++i) {
         Frame frame = frameAcross(axis);
         frame.origin = 0.5 * (m_bounds.min + m_bounds.max);
-        frame.origin[axis] = middle + (i - 0.5 * (count - 1) + m_context.number("shift")) * step;
+        const double off = (i - 0.5 * (count - 1) + m_context.number("shift")) * step;
+        frame.origin[axis] = middle + off;
+        if (end > 0.0 && count > 1 && std::abs(off) > 0.5 * room + kClipSlack) {
+            ++m_atEnds;
+            planes.first += planes.frames.empty() ? 1 : 0;
+            continue;
+        }
         planes.frames.push_back(frame);
     }
     return planes;
@@ -167,6 +204,22 @@ void Slicer::add(const std::string &key, std::string name, const Frame &frame,
     ++m_made;
 }
 
+/// Whether a circle as wide as a section has to be finds no room in it.
+bool Slicer::isThin(const TemplateLoop &outer) const
+{
+    if (m_context.operation().version < kKeepsOffEnds)
+        return false;
+    const double radius = 0.5 * kLeastWidth * m_thickness;
+    double length = 0.0;
+    for (std::size_t i = 0; i < outer.points.size(); ++i)
+        length += (outer.points[(i + 1) % outer.points.size()] - outer.points[i]).norm();
+    // In any contour a circle of its area by its length has room.
+    if (std::abs(signedArea(outer.points)) >= radius * length)
+        return false;
+    const Result<Contour> contour = curveOf(outer);
+    return contour && roomIn(*contour, radius).empty();
+}
+
 bool Slicer::addPiece(char direction, int plane, int piece, const Frame &frame,
                       const std::vector<TemplateLoop> &loops, std::size_t outer)
 {
@@ -177,7 +230,7 @@ bool Slicer::addPiece(char direction, int plane, int piece, const Frame &frame,
             holes.push_back(&hole);
             area -= std::abs(signedArea(hole.points));
         }
-    if (area < m_context.number("smallest")) {
+    if (area < m_context.number("smallest") || isThin(loops[outer])) {
         ++m_slivers;
         return false;
     }
@@ -200,7 +253,8 @@ void Slicer::cut(const SlicePlanes &planes)
         int piece = 0;
         for (std::size_t k = 0; k < loops.size(); ++k)
             if (!loops[k].isHole &&
-                addPiece(planes.key, static_cast<int>(i), piece, planes.frames[i], loops, k))
+                addPiece(planes.key, planes.first + static_cast<int>(i), piece, planes.frames[i],
+                         loops, k))
                 ++piece;
     }
 }
@@ -242,6 +296,8 @@ void Slicer::slice()
     }
     if (m_slivers > 0)
         m_context.notice({OperationNotice::Kind::Slivers, {}, {}, m_slivers});
+    if (m_atEnds > 0)
+        m_context.notice({OperationNotice::Kind::LeftOut, {}, {}, m_atEnds});
     if (m_failed > 0)
         m_context.notice({OperationNotice::Kind::Failed});
     if (m_made == 0 && m_failed == 0)
@@ -341,7 +397,8 @@ std::vector<ParameterSpec> parameters()
          .most = 100000,
          .sliderLeast = 0,
          .sliderMost = 500,
-         .tip = QT_TRANSLATE_NOOP("Operation", "In mm²; smaller ones are left out")},
+         .tip = QT_TRANSLATE_NOOP("Operation", "In mm²; smaller ones are left out, and those "
+                                               "that are thin all over")},
         {.key = "hollow",
          .label = QT_TRANSLATE_NOOP("Operation", "Hollow"),
          .unit = Unit::Switch,
@@ -364,7 +421,7 @@ std::vector<ParameterSpec> parameters()
 
 const OperationKind kSlices{
     .key = "slices",
-    .version = 1,
+    .version = kKeepsOffEnds,
     .name = QT_TRANSLATE_NOOP("Operation", "Slices"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Cuts a mesh into sections that follow its form."),
     .inputs = {{.role = "spine",

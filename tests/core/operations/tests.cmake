@@ -13,6 +13,7 @@ fff_tests(tests_operations LIBRARIES fff::io TESTS
     core/operations/tst_radial
     core/operations/tst_revolve
     core/operations/tst_row
+    core/operations/tst_slice_ends
     core/operations/tst_slice_sides
     core/operations/tst_slices
     core/operations/tst_slices_along
