@@ -252,9 +252,8 @@ void Slicer::cut(const SlicePlanes &planes)
             loopsOn(planes.frames[i], m_subject, *m_subject.mesh);
         int piece = 0;
         for (std::size_t k = 0; k < loops.size(); ++k)
-            if (!loops[k].isHole &&
-                addPiece(planes.key, planes.first + static_cast<int>(i), piece, planes.frames[i],
-                         loops, k))
+            if (!loops[k].isHole && addPiece(planes.key, planes.first + static_cast<int>(i), piece,
+                                             planes.frames[i], loops, k))
                 ++piece;
     }
 }

@@ -120,9 +120,8 @@ void TestSliceEnds::shiftedOnesAreLeftOut()
 {
     constexpr double kCount = 4.0;
     for (const double shift : {-0.5, 0.5}) {
-        const Model model =
-            sliced(cube(kSide),
-                   {{"direction", std::string("xz")}, {"count", kCount}, {"shift", shift}});
+        const Model model = sliced(
+            cube(kSide), {{"direction", std::string("xz")}, {"count", kCount}, {"shift", shift}});
         QCOMPARE(model.sectionCount(), std::size_t(6));
         QCOMPARE(noted(model, OperationNotice::Kind::LeftOut), 2);
         QVERIFY(nearestToAnEnd(model) >= 1.5 * thicknessIn(model) - kRounding);
