@@ -161,9 +161,10 @@ int openingOf(const Model &model, const Assembly &assembly, const Joint &joint)
     return 0;
 }
 
-/// Slits that would open to another side are wished to stay.
+} // namespace
+
 Result<Document> withSlitsKept(Document document, const Model &model,
-                               const Replacements &replacements)
+                               const std::map<SectionRef, SectionRef> &replacements)
 {
     const Model next = evaluate(document, model);
     const Assembly before = assemble(model), after = assemble(next);
@@ -199,8 +200,6 @@ Result<Document> withSlitsKept(Document document, const Model &model,
     }
     return document;
 }
-
-} // namespace
 
 Result<Document> baked(const Model &model, OperationId id)
 {

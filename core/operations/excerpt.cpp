@@ -41,6 +41,7 @@ private:
     void settleParents();
     void addMarks();
     void addStocks();
+    void keepSlits();
     /// What the section is called in the excerpt; empty: it is not there.
     SectionRef newRef(const SectionRef &ref) const;
 
@@ -216,6 +217,19 @@ void Excerpt::addStocks()
     m_result.currentStock = first;
 }
 
+/// Of slices, whose sides follow from what made them, which stays.
+void Excerpt::keepSlits()
+{
+    const auto isSlice = [this](const auto &one) {
+        const Operation *operation = m_model.document.find(one.first.operation);
+        return operation && operation->subject.isValid();
+    };
+    if (!std::any_of(m_drawn.begin(), m_drawn.end(), isSlice))
+        return;
+    if (Result<Document> kept = withSlitsKept(m_result, m_model, m_drawn))
+        m_result = *std::move(kept);
+}
+
 Document Excerpt::take()
 {
     m_result.nextId = m_model.document.nextId;
@@ -225,6 +239,7 @@ Document Excerpt::take()
     addOperations();
     addMarks();
     addStocks();
+    keepSlits();
     return selfContained(evaluate(std::move(m_result)));
 }
 
