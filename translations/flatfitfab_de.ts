@@ -6252,10 +6252,6 @@
         <translation>Kleinstes Stück</translation>
     </message>
     <message>
-        <source>In mm²; smaller ones are left out</source>
-        <translation>In mm²; kleinere werden weggelassen</translation>
-    </message>
-    <message>
         <source>Hollow</source>
         <translation>Hohl</translation>
     </message>
@@ -6278,6 +6274,10 @@
     <message>
         <source>Click the section whose contour it should run along.</source>
         <translation>Die Scheibe anklicken, an deren Kontur entlang es laufen soll.</translation>
+    </message>
+    <message>
+        <source>In mm²; smaller ones are left out, and those that are thin all over</source>
+        <translation>In mm²; kleinere werden weggelassen, und solche, die überall dünn sind</translation>
     </message>
 </context>
 <context>
@@ -12134,6 +12134,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Skin: nothing to cover</source>
         <translation>Haut: nichts zu überdecken</translation>
+    </message>
+    <message>
+        <source>Between %1 it would bulge far out: one more section across says how far.</source>
+        <extracomment>%1 names the sections round a place</extracomment>
+        <translation>Zwischen %1 würde sie sich weit hinauswölben: eine Scheibe quer dazu sagt, wie weit.</translation>
+    </message>
+    <message>
+        <source>Between %1 it would fold over itself.</source>
+        <translation>Zwischen %1 würde sie sich über sich selbst falten.</translation>
+    </message>
+    <message>
+        <source>What is between %1 cannot be told from their contours.</source>
+        <translation>Was zwischen %1 ist, sagen die Konturen nicht.</translation>
     </message>
 </context>
 <context>

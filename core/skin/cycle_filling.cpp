@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fff {
 
@@ -90,6 +91,34 @@ void fillRound(GrowingMesh &mesh, const std::vector<SkinCurve> &sides)
 }
 
 } // namespace
+
+bool isSeenWhole(const std::vector<SkinCurve> &sides)
+{
+    Vec3 middle = Vec3::Zero(), normals = Vec3::Zero();
+    double count = 0.0;
+    for (const SkinCurve &side : sides)
+        for (std::size_t i = 0; i + 1 < side.points.size(); ++i) {
+            middle += side.points[i];
+            normals += side.normals[i];
+            count += 1.0;
+        }
+    if (!(normals.norm() > kSkinNoNormal))
+        return false;
+    middle /= count;
+    const Vec3 normal = normals.normalized();
+    const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+    double turned = 0.0;
+    for (const SkinCurve &side : sides)
+        for (std::size_t i = 0; i + 1 < side.points.size(); ++i) {
+            const Vec3 from = side.points[i] - middle, to = side.points[i + 1] - middle;
+            const Vec2 a(x.dot(from), y.dot(from)), b(x.dot(to), y.dot(to));
+            const double turn = std::atan2(cross(a, b), a.dot(b));
+            if (turn < 0.0 || side.normals[i].dot(normal) <= 0.0)
+                return false;
+            turned += turn;
+        }
+    return std::lround(turned / (2.0 * std::numbers::pi)) == 1;
+}
 
 void fillCycle(GrowingMesh &mesh, const std::vector<SkinCurve> &sides)
 {

@@ -22,16 +22,24 @@ constexpr double kMostFolded = 0.2;
 
 } // namespace
 
-bool PatchJudge::keeps(const std::vector<SkinCurve> &sides)
+PatchFault PatchJudge::faultOf(const std::vector<SkinCurve> &sides)
 {
-    if (staysNear(sides)) {
-        const Normals normals = normalsOfPatch();
-        if (facesOutwards(sides, normals) && !isBalloon(sides, normals))
-            return true;
+    const PatchFault fault = found(sides);
+    if (fault != PatchFault::None) {
+        m_mesh.points.resize(m_points);
+        m_mesh.triangles.resize(m_triangles);
     }
-    m_mesh.points.resize(m_points);
-    m_mesh.triangles.resize(m_triangles);
-    return false;
+    return fault;
+}
+
+PatchFault PatchJudge::found(const std::vector<SkinCurve> &sides) const
+{
+    if (!staysNear(sides))
+        return PatchFault::FarOut;
+    const Normals normals = normalsOfPatch();
+    if (!facesOutwards(sides, normals))
+        return PatchFault::Folded;
+    return isBalloon(sides, normals) ? PatchFault::Balloon : PatchFault::None;
 }
 
 bool PatchJudge::staysNear(const std::vector<SkinCurve> &sides) const

@@ -9,6 +9,14 @@
 
 namespace fff {
 
+/// Why a patch is not part of a form.
+enum class PatchFault {
+    None,
+    FarOut,  // it reaches far beyond the contours round it
+    Folded,  // its outside is not where the sections have theirs
+    Balloon, // it stands out from among the contours
+};
+
 /// Fills in a part of the skin and keeps it only if it is sound.
 class PatchJudge
 {
@@ -22,11 +30,14 @@ public:
     /// Stays near the contours round it, does not stand out from among them like a balloon, and has
     /// its outside where the sections have theirs along most of their length; else the mesh is as
     /// it was before.
-    bool keeps(const std::vector<SkinCurve> &sides);
+    bool keeps(const std::vector<SkinCurve> &sides) { return faultOf(sides) == PatchFault::None; }
+    /// The same, and why it is not kept.
+    PatchFault faultOf(const std::vector<SkinCurve> &sides);
 
 private:
     using Normals = std::map<std::uint32_t, Vec3>; // of the patch, at its vertices; of any length
 
+    PatchFault found(const std::vector<SkinCurve> &sides) const;
     Normals normalsOfPatch() const;
     bool staysNear(const std::vector<SkinCurve> &sides) const;
     bool facesOutwards(const std::vector<SkinCurve> &sides, const Normals &normals) const;

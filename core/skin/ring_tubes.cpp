@@ -211,8 +211,8 @@ FilledTubes fillTubes(GrowingMesh &mesh, const std::vector<RingPair> &pairs,
         PatchJudge judge(mesh);
         const SkinCurve along = seam(mesh, from, to);
         fillPatch(mesh, {from, along, to, along});
-        if (!judge.keeps({from, to})) {
-            ++filled.open;
+        if (const PatchFault fault = judge.faultOf({from, to}); fault != PatchFault::None) {
+            filled.open.push_back({pair.a, pair.b, fault});
             continue;
         }
         sides[pair.a] |= pair.isAhead ? 2 : 1;

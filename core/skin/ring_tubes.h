@@ -5,6 +5,7 @@
 #include "core/base/long_work.h"
 #include "core/base/result.h"
 #include "core/skin/contour_network.h"
+#include "core/skin/patch_judge.h"
 #include "core/skin/skin_curve.h"
 
 #include <optional>
@@ -28,10 +29,17 @@ struct RingPair
 Result<std::vector<RingPair>> ringPairs(const std::vector<SectionPointer> &sections,
                                         const ContourNetwork &network, const LongWork &work);
 
+/// Two outlines between which there is no patch.
+struct OpenTube
+{
+    int a = 0, b = 0; // sections
+    PatchFault fault = PatchFault::Folded;
+};
+
 struct FilledTubes
 {
     int patches = 0; // between outlines, and over ends
-    int open = 0;    // pairs between which there is none, since it would be folded
+    std::vector<OpenTube> open;
 };
 
 /// Triangles between the outlines of pairs, and over the ends.

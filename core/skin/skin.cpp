@@ -7,6 +7,7 @@
 #include "core/skin/ring_tubes.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -20,6 +21,20 @@ constexpr double kMeetingShare = 0.4;
 LongWork partOf(const LongWork &work, double from, double to)
 {
     return {work.stop, [&work, from, to](double share) { work.tell(from + share * (to - from)); }};
+}
+
+std::optional<OpenPlace::Why> whyOpen(PatchFault fault)
+{
+    switch (fault) {
+    case PatchFault::None:
+        break;
+    case PatchFault::FarOut:
+    case PatchFault::Balloon:
+        return OpenPlace::Why::Bulging;
+    case PatchFault::Folded:
+        return OpenPlace::Why::Folded;
+    }
+    return std::nullopt;
 }
 
 /// How often the cycle comes along an edge that it has been along.
@@ -36,26 +51,41 @@ std::size_t repeats(const std::vector<HalfEdge> &cycle)
 bool isPatch(const std::vector<HalfEdge> &cycle)
 {
     const std::size_t again = repeats(cycle);
-    return cycle.size() >= 2 && cycle.size() <= kMostSides &&
+    return cycle.size() >= 2 && cycle.size() <= kMostSidesSeenWhole &&
            (again == 0 || (again == 1 && cycle.size() == 4));
 }
 
-bool fillOver(GrowingMesh &mesh, const std::vector<HalfEdge> &cycle, const ContourNetwork &network,
-              const std::vector<SkinCurve> &curves)
+/// Nothing: there is a patch.
+std::optional<OpenPlace::Why> openOver(GrowingMesh &mesh, const std::vector<HalfEdge> &cycle,
+                                       const ContourNetwork &network,
+                                       const std::vector<SkinCurve> &curves)
 {
+    using Why = OpenPlace::Why;
     if (cycle.size() == 1) {
         const NetEdge &edge = network.edges[static_cast<std::size_t>(cycle.front() / 2)];
-        return fillFlat(mesh, walked(curves, cycle.front()),
-                        network.outlines[static_cast<std::size_t>(edge.outline)].frame());
+        const bool isFilled =
+            fillFlat(mesh, walked(curves, cycle.front()),
+                     network.outlines[static_cast<std::size_t>(edge.outline)].frame());
+        return isFilled ? std::nullopt : std::optional(Why::Folded);
     }
     if (!isPatch(cycle))
-        return false;
+        return Why::NoForm;
     std::vector<SkinCurve> sides;
     for (const HalfEdge half : cycle)
         sides.push_back(walked(curves, half));
+    if (sides.size() > kMostSides && !isSeenWhole(sides))
+        return Why::NoForm;
     PatchJudge judge(mesh);
     fillCycle(mesh, sides);
-    return judge.keeps(sides);
+    return whyOpen(judge.faultOf(sides));
+}
+
+std::vector<int> sectionsOf(const std::vector<HalfEdge> &cycle, const ContourNetwork &network)
+{
+    std::set<int> sections;
+    for (const HalfEdge half : cycle)
+        sections.insert(network.edges[static_cast<std::size_t>(half / 2)].outline);
+    return {sections.begin(), sections.end()};
 }
 
 /// Without vertices that no triangle has.
@@ -100,7 +130,10 @@ Result<Skin> skinOf(const std::vector<SectionPointer> &sections, const LongWork 
     for (std::size_t c = 0; c < cycles.size(); ++c) {
         if (work.isStopped())
             return failure(ErrorCode::Cancelled);
-        ++(fillOver(mesh, cycles[c], *network, curves) ? skin.patches : skin.open);
+        if (const auto why = openOver(mesh, cycles[c], *network, curves))
+            skin.places.push_back({*why, sectionsOf(cycles[c], *network)});
+        else
+            ++skin.patches;
         filling.tell(static_cast<double>(c) / static_cast<double>(cycles.size()));
     }
     const Result<std::vector<RingPair>> pairs = ringPairs(sections, *network, work);
@@ -108,7 +141,13 @@ Result<Skin> skinOf(const std::vector<SectionPointer> &sections, const LongWork 
         return tl::unexpected(pairs.error());
     const FilledTubes tubes = fillTubes(mesh, *pairs, *network);
     skin.patches += tubes.patches;
-    skin.open += tubes.open;
+    for (const OpenTube &tube : tubes.open)
+        if (const auto why = whyOpen(tube.fault))
+            skin.places.push_back({*why, {std::min(tube.a, tube.b), std::max(tube.a, tube.b)}});
+    std::stable_sort(
+        skin.places.begin(), skin.places.end(),
+        [](const OpenPlace &a, const OpenPlace &b) { return a.sections < b.sections; });
+    skin.open = static_cast<int>(skin.places.size());
     if (!mesh.triangles.empty())
         skin.mesh = meshOf(mesh);
     return skin;

@@ -10,11 +10,24 @@
 
 namespace fff {
 
+/// Contours that follow each other round a place over which there is no patch.
+struct OpenPlace
+{
+    enum class Why {
+        NoForm, // they come back along themselves, or are too many to say what is between them
+        Folded, // a patch would fold over itself
+        Bulging // a patch would stand out from among them, or go far beyond them
+    };
+    Why why = Why::NoForm;
+    std::vector<int> sections; // whose contours: indices into those of the skin, ascending
+};
+
 struct Skin
 {
     TriangleMeshPointer mesh; // mm, faces outwards; null where there is no patch
     int patches = 0;
-    int open = 0; // cycles of contours over which there is none: of too many sides, or folded
+    int open = 0;                  // places over which there is none
+    std::vector<OpenPlace> places; // those of them, in the order of their sections
 };
 
 /// Why a skin without a mesh is none: NoSkin.

@@ -7,7 +7,9 @@
 #include "ui/view/skin_scene.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff::ui {
@@ -18,6 +20,45 @@ struct SkinStateTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::SkinPicture)
 };
+
+/// So many places, and sections of each, are named; more nobody reads.
+constexpr std::size_t kNamedPlaces = 3, kNamedSections = 4;
+
+QString namesOf(const OpenPlace &place, const std::vector<SectionPointer> &sections)
+{
+    QStringList names;
+    for (const int section : place.sections) {
+        if (names.size() == static_cast<qsizetype>(kNamedSections)) {
+            names += QStringLiteral("…");
+            break;
+        }
+        names += QString::fromStdString(sections[static_cast<std::size_t>(section)]->name);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+/// Why the first of the places stay open, a line each.
+QString whyOpen(const AskedSkin &asked)
+{
+    using Why = OpenPlace::Why;
+    QString lines;
+    for (std::size_t i = 0; i < std::min(asked.skin.places.size(), kNamedPlaces); ++i) {
+        const OpenPlace &place = asked.skin.places[i];
+        //: %1 names the sections round a place
+        const QString line =
+            place.why == Why::Bulging
+                ? SkinStateTexts::tr("Between %1 it would bulge far out: one more section across "
+                                     "says how far.")
+            //: %1 names the sections round a place
+            : place.why == Why::Folded
+                ? SkinStateTexts::tr("Between %1 it would fold over itself.")
+                //: %1 names the sections round a place
+                : SkinStateTexts::tr("What is between %1 cannot be told from their contours.");
+        lines += u'\n';
+        lines += line.arg(namesOf(place, asked.sections));
+    }
+    return lines;
+}
 
 } // namespace
 
@@ -57,7 +98,8 @@ QString skinDetails(const Scheduler &scheduler)
         asked->skin.open > 0
             ? SkinStateTexts::tr("%1; %n places stay open.", "", asked->skin.open).arg(patches)
             : patches + u'.';
-    return open + u' ' + SkinStateTexts::tr("Click to see the sections alone again.");
+    return open + u' ' + SkinStateTexts::tr("Click to see the sections alone again.") +
+           whyOpen(*asked);
 }
 
 SkinPicture::SkinPicture(Workbench &bench, QObject *parent) : QObject(parent), m_bench(bench)

@@ -120,6 +120,7 @@ private Q_SLOTS:
     void none_data();
     void none();
     void missedByMillimetres();
+    void manySidesSeenWhole();
     void samples_data();
     void samples();
     void stopped();
@@ -271,6 +272,36 @@ void TestSkin::missedByMillimetres()
     QVERIFY(std::abs(skin.mesh->volume() / ballOf(kRadius) - 1.0) < 0.05);
 }
 
+/// Twelve discs of a sphere in a ring, tilted upwards, of which those beside each other cross.
+Sections crown()
+{
+    constexpr int kDiscs = 12;
+    const double tilt = std::numbers::pi / 6.0;
+    Sections all;
+    for (int i = 0; i < kDiscs; ++i) {
+        const double around = 2.0 * std::numbers::pi * i / kDiscs;
+        const Vec3 normal(std::cos(tilt) * std::cos(around), std::sin(tilt),
+                          std::cos(tilt) * std::sin(around));
+        all.push_back(disc(kRadius, normal, 0.91 * kRadius));
+    }
+    return all;
+}
+
+// Wrong: the top of a form is left open since many sections end round it; or the mouth below, which
+// is more than half of a sphere, is closed with a balloon.
+void TestSkin::manySidesSeenWhole()
+{
+    const Sections all = crown();
+    const Skin skin = skinOver(all);
+    QVERIFY(skin.mesh);
+    QVERIFY(skin.mesh->bounds().max.y() > 0.95 * kRadius);
+    QVERIFY(skin.mesh->bounds().max.y() < 1.05 * kRadius);
+    QCOMPARE(static_cast<std::size_t>(skin.open), skin.places.size());
+    QVERIFY(std::any_of(skin.places.begin(), skin.places.end(), [&](const OpenPlace &place) {
+        return place.why == OpenPlace::Why::NoForm && place.sections.size() == all.size();
+    }));
+}
+
 void TestSkin::samples_data()
 {
     QTest::addColumn<QString>("file");
@@ -291,6 +322,12 @@ void TestSkin::samples()
     const Model model = evaluate(loaded->document);
     const Skin skin = skinOver(model.sections());
     QCOMPARE(skin.mesh != nullptr, isThere);
+    QCOMPARE(skin.places.size(), static_cast<std::size_t>(skin.open));
+    for (const OpenPlace &place : skin.places) {
+        QVERIFY(!place.sections.empty());
+        QVERIFY(std::is_sorted(place.sections.begin(), place.sections.end()));
+        QVERIFY(place.sections.back() < static_cast<int>(model.sectionCount()));
+    }
     if (!isThere)
         return;
     qInfo("%d patches, %d open, %zu triangles", skin.patches, skin.open,
