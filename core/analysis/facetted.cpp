@@ -4,6 +4,7 @@
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "core/templates/simplified_mesh.h"
+#include "core/templates/stood_mesh.h"
 #include "core/templates/template_mesh.h"
 
 #include <algorithm>
@@ -85,7 +86,8 @@ Result<FacetModel> facetted(const Document &document, TemplateId of,
         const Result<TriangleMeshPointer> few = simplified(whole, *faces, work);
         if (!few)
             return tl::unexpected(few.error());
-        mesh = inPlaceOf(**few, *whole);
+        const TriangleMeshPointer stood = stoodOnFacet(**few);
+        mesh = inPlaceOf(stood ? *stood : **few, *whole);
     }
     Result<FacetModel> model = facetModel(document, *mesh, one->name, work);
     if (!model)

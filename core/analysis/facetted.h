@@ -12,8 +12,8 @@ inline constexpr std::size_t kFewestFaces = 4; // of what encloses anything
 /// The template stays as it is. Sheets stand on the ground where the mesh's lowest corner stood on
 /// it: their own corners end before those of the mesh.
 ///
-/// faces   the mesh is simplified to this many triangles first, and made as large again; none: it
-///         is taken as it is
+/// faces   the mesh is simplified to this many triangles first, stood on the face that it leans on
+///         then (stood_mesh.h), and made as large again; none: it is taken as it is
 /// Errors  those of simplified() and facetModel(); UnknownReference for a template that is not
 ///         there or has no mesh.
 Result<FacetModel> facetted(const Document &document, TemplateId of,

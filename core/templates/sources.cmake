@@ -18,6 +18,7 @@ target_sources(fff_core PRIVATE
     templates/plane_cut.cpp
     templates/pulled_templates.cpp
     templates/simplified_mesh.cpp
+    templates/stood_mesh.cpp
     templates/template_curves.cpp
     templates/template_cut.cpp
     templates/template_mesh.cpp

@@ -7,6 +7,7 @@ fff_tests(tests_templates LIBRARIES fff::core CGAL::CGAL TESTS
     core/templates/tst_plane_cut
     core/templates/tst_plane_cut_oracle
     core/templates/tst_pulled_templates
+    core/templates/tst_stood_mesh
     core/templates/tst_thinned_mesh
     core/templates/tst_traced_picture
     ALONE
