@@ -78,6 +78,7 @@ void PenTool::setCanvas(CanvasChoice choice, bool isFirst, const GestureContext 
     }
     TemplateGuides guides(context.model, context.pulled.get(), frame);
     targets.setGuides(guides.loops(), context.settings.guideReach);
+    targets.addGuideCrossings(context.model, context.view, own);
     m_canvas = Canvas{std::move(choice), std::move(targets), std::move(guides), isFirst, false};
     m_snap.reset();
     m_typed.reset();

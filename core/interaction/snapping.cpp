@@ -223,6 +223,30 @@ void SnapTargets::addModel(const Model &model, const ViewState &view, const Sect
     }
 }
 
+void SnapTargets::addGuideCrossings(const Model &model, const ViewState &view,
+                                    const SectionRef &except)
+{
+    if (!m_guides)
+        return;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        const SectionRef ref = model.ref(i);
+        const Frame &frame = model.section(i)->frame;
+        const Vec2 slope = m_canvas.directionToLocal(frame.normal());
+        if (ref == except || !view.isPicked(ref) || slope.norm() < std::sin(kMinJointAngle))
+            continue;
+        const double offset = frame.height(m_canvas.origin);
+        for (const GuideLine &line : *m_guides) {
+            const std::size_t count = line.points.size();
+            for (std::size_t k = line.isOpen ? 1 : 0; k < count; ++k) {
+                const Vec2 &from = line.points[(k + count - 1) % count], &to = line.points[k];
+                const double here = offset + slope.dot(from), there = offset + slope.dot(to);
+                if ((here > 0.0) != (there > 0.0))
+                    m_points.push_back(from + here / (here - there) * (to - from));
+            }
+        }
+    }
+}
+
 Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPerPixel,
              const Snap &before)
 {

@@ -84,6 +84,11 @@ public:
         m_guideReach = reach;
     }
 
+    /// Where planes of sections that are seen cross the guides, as far away as they may be: there a
+    /// contour that follows the template meets one that is drawn in such a plane. Not of planes
+    /// that make no joint with the canvas (kMinJointAngle).
+    void addGuideCrossings(const Model &model, const ViewState &view, const SectionRef &except);
+
     const Frame &canvas() const { return m_canvas; }
     const Frame &grid() const { return m_grid; }
     const GuideLoops &guides() const { return m_guides; }

@@ -92,6 +92,7 @@ private Q_SLOTS:
     void curvesAreMetOnTheCurve();
     void hiddenAndExceptedSectionsDoNotCatch();
     void endsOfSlitsCatch();
+    void whereAPlaneCrossesAGuide();
 };
 
 /// Heights must be round whatever way a canvas lies: its own origin is where somebody pressed.
@@ -336,6 +337,44 @@ void TestSnapping::endsOfSlitsCatch()
     targets.addModel({document, {}}, {}, {});
     QVERIFY(hasPoint(targets, {40, 90, 0}));
     QVERIFY(hasPoint(targets, {40, 140, 0}));
+}
+
+// Wrong: a contour that follows the template misses by a millimetre the one that it is to meet.
+void TestSnapping::whereAPlaneCrossesAGuide()
+{
+    const double turn = 0.6;
+    const Vec3 across(std::cos(turn), 0.0, std::sin(turn)); // its normal
+    const Model model =
+        modelWith({plate({Vec3(40, 900, 0), Vec3::UnitY(), across.cross(Vec3::UnitY())}),
+                   plate({Vec3(0, 900, 30), Vec3::UnitX(), Vec3::UnitY()})}); // parallel
+    SnapTargets targets = upright();
+    const auto onCanvas = [&](double x, double y) {
+        return targets.canvas().toLocal(Vec3(x, y, 0.0));
+    };
+    const GuideLine square{{onCanvas(0, 0), onCanvas(100, 0), onCanvas(100, 100), onCanvas(0, 100)},
+                           false};
+    GuideLine open = square; // without its left side
+    open.isOpen = true;
+    // The plane meets the canvas in x = 40, where neither section reaches.
+    for (const GuideLine &guide : {square, open}) {
+        SnapTargets caught = targets;
+        caught.setGuides(std::make_shared<const std::vector<GuideLine>>(1, guide), 10.0);
+        caught.addGuideCrossings(model, {}, {});
+        QCOMPARE(caught.points().size(), std::size_t(2));
+        QVERIFY(hasPoint(caught, {40, 0, 0}));
+        QVERIFY(hasPoint(caught, {40, 100, 0}));
+        const Snap snap = snapped(onCanvas(41, 98), caught, kScale, {});
+        QCOMPARE(snap.kind, Kind::Point);
+        QVERIFY(isNear(snap.point, onCanvas(40, 100)));
+        QCOMPARE(snapped(onCanvas(60, 98), caught, kScale, {}).kind, Kind::Guide);
+        caught.addGuideCrossings(model, {}, model.ref(0));
+        QCOMPARE(caught.points().size(), std::size_t(2));
+    }
+    ViewState view;
+    view.hidden.insert(model.ref(0));
+    targets.setGuides(std::make_shared<const std::vector<GuideLine>>(1, square), 10.0);
+    targets.addGuideCrossings(model, view, {});
+    QVERIFY(targets.points().empty());
 }
 
 FFF_TEST(TestSnapping)
