@@ -1,6 +1,9 @@
 #include "core/analysis/lying_parts.h"
 
+#include "core/model/sheet_edits.h"
+
 #include <algorithm>
+#include <map>
 
 namespace fff {
 
@@ -21,7 +24,6 @@ bool isTheSame(const Part &a, const Part &b)
 std::map<int, PinnedPart> places(const LyingParts &before)
 {
     std::map<int, PinnedPart> all;
-    std::map<StockId, int> sheets;
     for (const Sheet &sheet : before.layout.sheets) {
         if (sheet.placements.empty())
             continue;
@@ -29,9 +31,9 @@ std::map<int, PinnedPart> places(const LyingParts &before)
         if (std::find(oversized.begin(), oversized.end(), sheet.placements.front().part) !=
             oversized.end())
             continue;
-        const int index = sheets[sheet.stock]++;
         for (const Placement &placement : sheet.placements)
-            all[placement.part] = {placement.part, index, placement.turn, placement.offset, true};
+            all[placement.part] = {placement.part, sheet.index, placement.turn, placement.offset,
+                                   true};
     }
     return all;
 }
@@ -52,15 +54,73 @@ BodiesOfParts bodiesOfParts(const Model &model, const std::vector<Part> &parts)
     return bodies;
 }
 
-std::vector<PinnedPart> pinnedParts(const std::vector<PinnedBody> &pinned,
-                                    const BodiesOfParts &bodies)
+void addWishes(const Model &model, const BodiesOfParts &bodies, NestOptions &options)
 {
-    std::vector<PinnedPart> parts;
-    for (const PinnedBody &one : pinned)
+    options.pinned.clear();
+    for (const PinnedPlace &one : model.document.pins)
         if (const auto part = bodies.partOf.find({one.section, one.body});
             part != bodies.partOf.end())
-            parts.push_back({part->second, one.sheet, one.turn, one.offset, false});
-    return parts;
+            options.pinned.push_back({part->second, one.sheet, one.turn, one.offset, false});
+    options.turnings.clear();
+    if (model.document.turnings.empty())
+        return;
+    for (const BodiesOfParts::Body &body : bodies.ofPart) {
+        const Section *section = model.find(body.first);
+        options.turnings.push_back((section ? turningOf(model.document, *section) : std::nullopt)
+                                       .value_or(options.turning));
+    }
+}
+
+bool mayLieSo(const PinnedPart &part, const NestOptions &options)
+{
+    const auto index = static_cast<std::size_t>(part.part);
+    const nest::Turning turning =
+        index < options.turnings.size() ? options.turnings[index] : options.turning;
+    const std::vector<Vec2> turns = nest::turnsOf(turning);
+    return turning == nest::Turning::Free ||
+           std::any_of(turns.begin(), turns.end(), [&](const Vec2 &turn) {
+               return (turn - part.turn).norm() <= kPinnedTurnError;
+           });
+}
+
+std::vector<PinnedPlace> layBeforePins(const LyingParts &before,
+                                       const std::vector<PinnedPlace> &known,
+                                       const Document &document)
+{
+    std::vector<PinnedPlace> all;
+    if (document.pins.empty())
+        return all;
+    const std::map<int, PinnedPart> lying = places(before);
+    const BodiesOfParts old = bodiesOfParts(before.model, before.parts);
+    for (const PinnedPlace &pin : document.pins) {
+        const auto same = std::find_if(known.begin(), known.end(), [&](const PinnedPlace &one) {
+            return one.section == pin.section && one.body == pin.body;
+        });
+        if (same != known.end()) {
+            all.push_back(*same);
+            continue;
+        }
+        const auto part = old.partOf.find({pin.section, pin.body});
+        if (part == old.partOf.end() || pinOf(before.model.document, pin.section, pin.body))
+            continue;
+        if (const auto place = lying.find(part->second); place != lying.end())
+            all.push_back({pin.section, pin.body, place->second.sheet, place->second.turn,
+                           place->second.offset});
+    }
+    return all;
+}
+
+void goBack(const std::vector<PinnedPlace> &layBefore, const BodiesOfParts &bodies,
+            std::vector<PinnedPart> &lying)
+{
+    for (const PinnedPlace &one : layBefore) {
+        const auto part = bodies.partOf.find({one.section, one.body});
+        if (part == bodies.partOf.end())
+            continue;
+        for (PinnedPart &place : lying)
+            if (place.part == part->second)
+                place = {part->second, one.sheet, one.turn, one.offset, true};
+    }
 }
 
 std::optional<std::vector<PinnedPart>>

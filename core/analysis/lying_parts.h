@@ -21,9 +21,11 @@ struct BodiesOfParts
 
 BodiesOfParts bodiesOfParts(const Model &model, const std::vector<Part> &parts);
 
-/// Those of them that are there.
-std::vector<PinnedPart> pinnedParts(const std::vector<PinnedBody> &pinned,
-                                    const BodiesOfParts &bodies);
+/// What the model's document wants of parts that are there: which are pinned, and how each may be
+/// turned.
+void addWishes(const Model &model, const BodiesOfParts &bodies, NestOptions &options);
+/// Whether it is turned as it may be.
+bool mayLieSo(const PinnedPart &part, const NestOptions &options);
 
 struct LyingParts
 {
@@ -31,6 +33,15 @@ struct LyingParts
     const std::vector<Part> &parts;
     const Layout &layout;
 };
+
+/// Where those lie that the document has pinned now and had not then; of the others what is known
+/// already.
+std::vector<PinnedPlace> layBeforePins(const LyingParts &before,
+                                       const std::vector<PinnedPlace> &known,
+                                       const Document &document);
+/// Those that were pinned then go back to where they lay before that. `lying` has all that lay.
+void goBack(const std::vector<PinnedPlace> &layBefore, const BodiesOfParts &bodies,
+            std::vector<PinnedPart> &lying);
 
 /// All that lay there stays, and yields: what was changed before what was not, to be tried first
 /// where it was. Nothing where so much has changed, come or gone that all is to be laid anew.

@@ -25,10 +25,11 @@ double secondsFor(const SheetsQuestion &question)
 }
 
 /// How they are laid when nothing lies there but what is pinned.
-NestOptions optionsFor(const SheetsQuestion &question, const BodiesOfParts &bodies)
+NestOptions optionsFor(const SheetsQuestion &question, const Model &model,
+                       const BodiesOfParts &bodies)
 {
     NestOptions options = question.nesting;
-    options.pinned = pinnedParts(question.pinned, bodies);
+    addWishes(model, bodies, options);
     options.work = nest::workOf(secondsFor(question));
     if (question.level == NestLevel::Best)
         options.seed += static_cast<std::uint64_t>(question.round);
@@ -72,6 +73,11 @@ bool areSheetsTheSame(const Layout &layout, const Model &model, const LayoutOpti
     });
 }
 
+LyingParts lyingOf(const Nested &last)
+{
+    return {last.analysis->model, last.parts->parts, *last.layout};
+}
+
 /// What an edit has not changed stays; nothing where that is no good.
 std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part> &parts,
                                       const BodiesOfParts &bodies, const Model &model,
@@ -79,10 +85,11 @@ std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part
 {
     if (!areSheetsTheSame(*last.layout, model, options.layout))
         return std::nullopt;
-    const std::optional<std::vector<PinnedPart>> lying =
-        lyingStill({last.analysis->model, last.parts->parts, *last.layout}, parts, bodies);
+    std::optional<std::vector<PinnedPart>> lying = lyingStill(lyingOf(last), parts, bodies);
     if (!lying)
         return std::nullopt;
+    goBack(last.layBefore, bodies, *lying);
+    std::erase_if(*lying, [&](const PinnedPart &one) { return !mayLieSo(one, options); });
     options.pinned.insert(options.pinned.end(), lying->begin(), lying->end());
     NestedLayout kept = nestOut(parts, model, options);
     if (sheetCount(kept.layout) > sheetCount(*last.layout) ||
@@ -110,7 +117,7 @@ NestedLayout laid(const Nested *last, bool areSameParts, const Nested &now,
     const SheetsQuestion &question = *now.question;
     const Model &model = now.analysis->model;
     const std::vector<Part> &parts = now.parts->parts;
-    const NestOptions options = optionsFor(question, bodies);
+    const NestOptions options = optionsFor(question, model, bodies);
     std::optional<NestedLayout> base;
     if (last && areSameParts)
         base = asTheyLay(*last);
@@ -150,8 +157,7 @@ double secondsOfRound(int round)
 
 bool SheetsQuestion::asksForTheSame(const SheetsQuestion &other) const
 {
-    return nesting == other.nesting && pinned == other.pinned &&
-           compensatesKerf == other.compensatesKerf;
+    return nesting == other.nesting && compensatesKerf == other.compensatesKerf;
 }
 
 Result<Nested> nested(const Snapshot &snapshot, const Nested *previous, Progress &progress,
@@ -176,7 +182,11 @@ Result<Nested> nested(const Snapshot &snapshot, const Nested *previous, Progress
     }
     const BodiesOfParts bodies = bodiesOfParts(out.analysis->model, out.parts->parts);
     const LongWork work{stop, [&progress](double share) { progress.set(share); }};
-    NestedLayout made = laid(before(previous, *out.question), isSameModel, out, bodies, work);
+    const Nested *last = before(previous, *out.question);
+    NestedLayout made = laid(last, isSameModel, out, bodies, work);
+    if (last)
+        out.layBefore =
+            layBeforePins(lyingOf(*last), last->layBefore, out.analysis->model.document);
     out.isStopped = stop.stop_requested() && out.question->level != NestLevel::Quick;
     out.loosened = std::move(made.loosened);
     out.layout = std::make_shared<const Layout>(std::move(made.layout));

@@ -4,6 +4,7 @@
 
 #include "core/analysis/cutting.h"
 #include "core/analysis/stage.h"
+#include "core/model/sheet_wishes.h"
 
 #include <memory>
 #include <optional>
@@ -22,22 +23,11 @@ inline constexpr double kGoodSeconds = 10.0, kMostRoundSeconds = 160.0;
 /// Of a round of Best, from 0 on.
 double secondsOfRound(int round);
 
-/// A part that stays where it lies: by its section, and which of its bodies it is.
-struct PinnedBody
-{
-    SectionRef section;
-    int body = 0;
-    int sheet = 0; // among those of its stock
-    Vec2 turn = Vec2::UnitX();
-    Vec2 offset = Vec2::Zero();
-
-    bool operator==(const PinnedBody &) const = default;
-};
-
 struct SheetsQuestion
 {
-    NestOptions nesting; // its work is the level's, its pinned parts are those below
-    std::vector<PinnedBody> pinned = {};
+    /// Its work is the level's; which parts are pinned, and how each may be turned, says the
+    /// document.
+    NestOptions nesting;
     bool compensatesKerf = true;
     NestLevel level = NestLevel::Quick;
     int round = 0; // of Best
@@ -59,7 +49,10 @@ struct Nested
     double filled = 0.0;                    // filledShare()
     double cutLength = 0.0;                 // mm
     std::vector<int> loosened;              // parts that were to stay and could not
-    bool isStopped = false;                 // before it had searched as long as it was to
+    /// Where pinned parts lay before somebody put them elsewhere: they go back there when they are
+    /// pinned no more.
+    std::vector<PinnedPlace> layBefore;
+    bool isStopped = false; // before it had searched as long as it was to
 
     /// Lies as it does for as long as this is asked.
     bool answers(const SheetsQuestion &asked) const
@@ -79,7 +72,7 @@ inline constexpr StageOf<SheetsQuestion> kSheetsAsked{"sheets asked"};
 ///
 /// Without anything before, the same parts, question and seed give the same. Quick goes by what lay
 /// before: where few parts have changed, came or went, the others stay where they are, unless that
-/// would take more sheets.
+/// would take more sheets. So pinning a part moves no other.
 Result<Nested> nested(const Snapshot &snapshot, const Nested *previous, Progress &progress,
                       std::stop_token stop);
 

@@ -185,6 +185,8 @@ std::vector<Plan> plansFor(const std::vector<Item> &items, Turning turning, cons
 std::vector<Sheet> sheetsOf(const Packing &packing, const Sheet &empty)
 {
     std::vector<Sheet> sheets(packing.heights.size(), empty);
+    for (std::size_t i = 0; i < sheets.size(); ++i)
+        sheets[i].index = static_cast<int>(i);
     for (const Packing::Put &put : packing.puts)
         sheets[put.sheet].placements.push_back(put.placement);
     return sheets;
@@ -258,7 +260,7 @@ Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
     cache.stocks.resize(model.document.stocks.size());
     for (std::size_t k = 0; k < cache.stocks.size(); ++k) {
         const Stock &stock = *model.document.stocks[k];
-        const Sheet empty{stock.id, options.sheet.value_or(stock.sheet), {}};
+        const Sheet empty{stock.id, options.sheet.value_or(stock.sheet), {}, 0};
         std::vector<Item> items;
         std::vector<Sheet> oversized;
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -269,7 +271,7 @@ Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
                 items.push_back({static_cast<int>(i), &size});
                 continue;
             }
-            Sheet own{stock.id, size.drawn.size() + Vec2::Constant(2.0 * options.margin), {}};
+            Sheet own{stock.id, size.drawn.size() + Vec2::Constant(2.0 * options.margin), {}, 0};
             own.placements.push_back({static_cast<int>(i), size.drawn.turn,
                                       Vec2::Constant(options.margin) - size.drawn.box.min});
             oversized.push_back(std::move(own));

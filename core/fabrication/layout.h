@@ -32,6 +32,7 @@ struct Sheet
     StockId stock;
     Vec2 size = Vec2::Zero();
     std::vector<Placement> placements;
+    int index = 0; // among those of its stock, of which some may be empty and not there
 };
 
 struct Layout

@@ -103,7 +103,7 @@ void addSheets(const nest::Solution &solution, const StockParts &stock, Layout &
     std::map<int, Sheet> sheets; // by the kinds of those with pinned parts, then one by one
     for (const PinnedPart &one : stock.pinned) {
         Sheet &sheet = sheets[one.sheet];
-        sheet = {stock.stock, stock.sheet, std::move(sheet.placements)};
+        sheet = {stock.stock, stock.sheet, std::move(sheet.placements), one.sheet};
         sheet.placements.push_back({one.part, one.turn, one.offset});
     }
     const int kinds = stock.pinned.empty() ? 0 : kindsAround(stock.pinned);
@@ -113,19 +113,22 @@ void addSheets(const nest::Solution &solution, const StockParts &stock, Layout &
     };
     for (const nest::Place &place : solution.places) {
         Sheet &sheet = sheets[keyOf(place.sheet)];
-        sheet = {stock.stock, stock.sheet, std::move(sheet.placements)};
+        sheet = {stock.stock, stock.sheet, std::move(sheet.placements), 0};
         sheet.placements.push_back(
             {stock.parts[static_cast<std::size_t>(place.piece)], place.turn, place.offset});
     }
-    for (auto &[key, sheet] : sheets)
+    int next = kinds; // plain ones follow those with pinned parts
+    for (auto &[key, sheet] : sheets) {
+        sheet.index = key < kinds ? key : next++;
         layout.sheets.push_back(std::move(sheet));
+    }
 }
 
 void addOversized(int index, const Part &part, const LayoutOptions &options, Layout &layout)
 {
     const Vec2 margin = Vec2::Constant(options.margin);
     const Box2 box = sizeOf(part.outline, Vec2::Zero(), false).drawn.box;
-    Sheet own{part.stock, box.size() + 2.0 * margin, {}};
+    Sheet own{part.stock, box.size() + 2.0 * margin, {}, 0};
     own.placements.push_back({index, Vec2::UnitX(), margin - box.min});
     layout.sheets.push_back(std::move(own));
     layout.oversized.push_back(index);

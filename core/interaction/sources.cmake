@@ -55,6 +55,7 @@ target_sources(fff_core PRIVATE
     interaction/routing.cpp
     interaction/rubber_band.cpp
     interaction/section_editing.cpp
+    interaction/sheet_editing.cpp
     interaction/section_view.cpp
     interaction/selection.cpp
     interaction/sight.cpp

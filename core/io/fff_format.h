@@ -4,7 +4,7 @@
 //       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
 //                         "flexuralStrength", "modulus", "kerf", "clearance",
 //                         "slitEnd": "square|round|dogbone|tBone", "toolDiameter", "leadIn",
-//                         "bumps", "sheet": [w, h] } ],
+//                         "bumps", "sheet": [w, h], "price" } ],
 //       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
 //       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes, "locked",
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y],
@@ -26,6 +26,8 @@
 //       y],
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ],
 //       "dimensions": [ { "id", "from": { "section": ref, "at": [x, y, z] }, "to": … } ],
+//       "pins":       [ { "section": ref, "body", "sheet", "at": [x, y], "turn": [cos, sin] } ],
+//       "turnings":   [ { "section": ref, "turning": "none|half|quarter|free" } ],
 //       "numbers":    [ { "name", "expression", "value" } ],
 //       "templates":  [ { "id", "kind": "mesh|picture|curves", "name", "blob": its SHA-256, "file",
 //                         "on": ref, "frame", "scale", "flipped", "opacity", "hidden", "locked",
@@ -38,10 +40,11 @@
 // made of, as far as they are as those still, "symmetry", to which line it stays symmetric when its
 // points are edited (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark
 // "lettering"; "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor
-// "section"; "templates" (core/model/template.h), of one all that is not said of it by default,
+// "section"; "pins" and "turnings" (core/model/sheet_wishes.h), of a pin "body" (then 0) and "turn"
+// (then [1, 0]); "templates" (core/model/template.h), of one all that is not said of it by default,
 // and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
 // these "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175),
-// "leadIn" and "bumps" (0); of an operation "on" (then true), "template" and "stock"
+// "leadIn" and "bumps" (0), "price" (then it is not known); of an operation "on" (then true), "template" and "stock"
 // (of kinds that make sections of one) and "exceptions". Kinds of operations,
 // their roles and parameters: core/operations; a file keeps also those that do not count. `joints`
 // are those of which something is wanted (core/model/joint_override.h). A contour has three control

@@ -5,6 +5,7 @@
 #include "core/io/fff_loads.h"
 #include "core/io/fff_migration.h"
 #include "core/io/fff_operations.h"
+#include "core/io/fff_sheets.h"
 #include "core/io/fff_templates.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
@@ -132,6 +133,8 @@ Stock FffReader::readStock(const JsonCursor &cursor)
     stock.sheet = sheet.point2();
     if (!(stock.sheet.minCoeff() > 0.0))
         sheet.failExpected(QT_TRANSLATE_NOOP("Error", "a width and a height above 0"));
+    if (const JsonCursor price = cursor.member("price"); price.exists())
+        stock.price = price.positive();
     return stock;
 }
 
@@ -401,6 +404,8 @@ Document FffReader::read(const JsonCursor &root)
     document.loads = readLoads(root.member("weights"), root.member("pushes"), readers);
     readJoints(root.member("joints"), document.jointOverrides);
     document.dimensions = readDimensions(root.member("dimensions"), readers);
+    document.pins = readPins(root.member("pins"), readers);
+    document.turnings = readTurnings(root.member("turnings"), readers);
     document.numbers = readNumbers(root.member("numbers"));
     document.templates = readTemplates(root.member("templates"), readers);
     if (!m_problems.failed())

@@ -3,6 +3,7 @@
 #include "core/io/fff_format.h"
 #include "core/io/fff_loads.h"
 #include "core/io/fff_operations.h"
+#include "core/io/fff_sheets.h"
 #include "core/io/fff_templates.h"
 #include "core/io/json_writer.h"
 #include "core/model/joint_kind_names.h"
@@ -79,6 +80,8 @@ void writeStock(JsonWriter &json, const Stock &stock)
     json.member("clearance", stock.clearance);
     writeSlitForm(json, stock);
     json.member("sheet", stock.sheet);
+    if (stock.price)
+        json.member("price", *stock.price);
     json.endObject();
 }
 
@@ -223,6 +226,8 @@ Result<std::string> writeFff(const Document &document)
         writeJoint(json, *joint);
     json.endArray();
     writeDimensions(json, document);
+    writePins(json, document);
+    writeTurnings(json, document);
     writeNumbers(json, document);
     writeTemplates(json, document);
     writeBlobs(json, document);

@@ -15,6 +15,7 @@ target_sources(fff_io PRIVATE
     fff_migration.cpp
     fff_operations.cpp
     fff_reader.cpp
+    fff_sheets.cpp
     fff_templates.cpp
     fff_writer.cpp
     file_set.cpp

@@ -103,8 +103,8 @@ bool Document::isSame(const Document &other) const
 {
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
            loads == other.loads && jointOverrides == other.jointOverrides &&
-           dimensions == other.dimensions && numbers == other.numbers &&
-           templates == other.templates && blobs == other.blobs &&
+           dimensions == other.dimensions && pins == other.pins && turnings == other.turnings &&
+           numbers == other.numbers && templates == other.templates && blobs == other.blobs &&
            currentStock == other.currentStock;
 }
 
@@ -113,9 +113,9 @@ bool Document::operator==(const Document &other) const
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
            equalValues(operations, other.operations) && loads == other.loads &&
            equalValues(jointOverrides, other.jointOverrides) && dimensions == other.dimensions &&
-           numbers == other.numbers && equalValues(templates, other.templates) &&
-           equalValues(blobs, other.blobs) && currentStock == other.currentStock &&
-           nextId == other.nextId;
+           pins == other.pins && turnings == other.turnings && numbers == other.numbers &&
+           equalValues(templates, other.templates) && equalValues(blobs, other.blobs) &&
+           currentStock == other.currentStock && nextId == other.nextId;
 }
 
 Document newDocument()

@@ -8,6 +8,7 @@
 #include "core/model/named_number.h"
 #include "core/model/operation.h"
 #include "core/model/section.h"
+#include "core/model/sheet_wishes.h"
 #include "core/model/stock.h"
 #include "core/model/template.h"
 
@@ -28,6 +29,8 @@ struct Document
     std::vector<Load> loads;
     std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
     std::vector<Dimension> dimensions;
+    std::vector<PinnedPlace> pins;          // ascending by section and body, each part once
+    std::vector<SectionTurning> turnings;   // ascending by section, each once
     std::vector<NamedNumber> numbers;       // by which numbers can be called in fields
     std::vector<TemplatePointer> templates; // as they are listed
     std::vector<BlobPointer> blobs;         // ascending by sha256, each once

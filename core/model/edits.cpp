@@ -5,6 +5,7 @@
 #include "core/model/dimensions.h"
 #include "core/model/figures.h"
 #include "core/model/naming.h"
+#include "core/model/sheet_edits.h"
 
 #include <algorithm>
 #include <functional>
@@ -165,6 +166,8 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
     std::erase_if(document.jointOverrides, [&](const JointOverridePointer &joint) {
         return isRemoved(joint->a.drawn) || isRemoved(joint->b.drawn);
     });
+    forgetSheetWishes(document,
+                      [&](const SectionRef &section) { return isRemoved(section.drawn); });
     leaveTemplates(document, before, isRemoved);
     for (SectionPointer &pointer : document.sections) {
         if (pointer->parent && isRemoved(pointer->parent->section.drawn)) {

@@ -1,5 +1,7 @@
 #include "core/model/operation_edits.h"
 
+#include "core/model/sheet_edits.h"
+
 #include <algorithm>
 
 namespace fff {
@@ -67,6 +69,7 @@ Result<Document> removeOperation(Document document, OperationId id)
     std::erase_if(document.jointOverrides, [id](const JointOverridePointer &joint) {
         return joint->a.operation == id || joint->b.operation == id;
     });
+    forgetSheetWishes(document, [id](const SectionRef &ref) { return ref.operation == id; });
     for (SectionPointer &pointer : document.sections) {
         if (!pointer->parent || pointer->parent->section.operation != id)
             continue;

@@ -25,6 +25,7 @@ target_sources(fff_core PRIVATE
     model/section.cpp
     model/shape.cpp
     model/shape_change.cpp
+    model/sheet_edits.cpp
     model/step.cpp
     model/stock.cpp
     model/symmetric_section.cpp

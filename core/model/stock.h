@@ -36,6 +36,8 @@ struct Stock
     double leadIn = 0.0;         // mm that a slit's mouth is chamfered by, at 45°
     double bumps = 0.0;          // mm, height of the two bumps in a slit that press on its guest
     Vec2 sheet = {600.0, 400.0}; // mm, width and height of one plate
+    /// Of one plate, in the money that a person pays with, above 0; none: not known.
+    std::optional<double> price;
 
     bool operator==(const Stock &) const = default;
 };

@@ -4,6 +4,7 @@
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/placed_loads.h"
+#include "core/model/sheet_edits.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/renamed_instances.h"
 
@@ -74,6 +75,7 @@ void followInDocument(Document &document, const Model &model, const Replacements
         if (next != *pointer)
             pointer = std::make_shared<const Template>(std::move(next));
     }
+    renameSheetWishes(document, [&](const SectionRef &ref) { return follow(replacements, ref); });
     std::vector<JointOverridePointer> joints;
     joints.swap(document.jointOverrides);
     for (const JointOverridePointer &joint : joints) {
@@ -144,7 +146,11 @@ SectionRef draw(Document &document, const Section &section)
     drawn.made = {};
     drawn.copyOf.reset();
     document.sections.push_back(std::make_shared<const Section>(std::move(drawn)));
-    return document.sections.back()->ref();
+    const SectionRef ref = document.sections.back()->ref();
+    // Also what it has from the section that it was a copy of.
+    if (const auto turning = turningOf(document, section))
+        document = *setTurning(std::move(document), ref, turning);
+    return ref;
 }
 
 /// To where the slits of a, the first of a joint, open along the axis: ±1; 0: there are none.

@@ -1,6 +1,7 @@
 #include "core/operations/excerpt.h"
 
 #include "core/model/placed_loads.h"
+#include "core/model/sheet_edits.h"
 #include "core/operations/baking.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
@@ -40,6 +41,7 @@ private:
     void add(const Section &section);
     void settleParents();
     void addMarks();
+    void addTurnings();
     void addStocks();
     void keepSlits();
     /// What the section is called in the excerpt; empty: it is not there.
@@ -169,6 +171,18 @@ void Excerpt::addOperations()
             m_result.operations.push_back(operation);
 }
 
+/// Where parts are pinned says nothing without all the others around them.
+void Excerpt::addTurnings()
+{
+    for (const SectionTurning &one : m_model.document.turnings)
+        if (const SectionRef ref = newRef(one.section); ref != SectionRef())
+            m_result = *setTurning(std::move(m_result), ref, one.turning);
+    for (const auto &[ref, id] : m_drawn)
+        if (const Section *copy = m_model.find(ref))
+            if (const auto turning = turningOf(m_model.document, *copy))
+                m_result = *setTurning(std::move(m_result), id, turning);
+}
+
 void Excerpt::addMarks()
 {
     for (const Load &load : m_model.document.loads) {
@@ -193,6 +207,7 @@ void Excerpt::addMarks()
         if (dimension.from.section != SectionRef() && dimension.to.section != SectionRef())
             m_result.dimensions.push_back(dimension);
     }
+    addTurnings();
     // Those of sections that became drawn ones would speak of another order.
     for (const JointOverridePointer &joint : m_model.document.jointOverrides)
         if (newRef(joint->a) == joint->a && newRef(joint->b) == joint->b)

@@ -2,6 +2,7 @@
 
 #include "core/model/edits.h"
 #include "core/model/named_numbers.h"
+#include "core/model/sheet_edits.h"
 #include "core/operations/evaluate.h"
 
 #include <algorithm>
@@ -252,6 +253,8 @@ void Inserter::addMarks()
                 anchor->section = moved(anchor->section);
         document.dimensions.push_back(std::move(dimension));
     }
+    for (const SectionTurning &one : m_other.turnings)
+        document = *setTurning(std::move(document), moved(one.section), one.turning);
     addTemplates();
     // What is called so here already means what it means here.
     for (const NamedNumber &number : m_other.numbers)

@@ -19,6 +19,7 @@
 #include "core/session/point_commands.h"
 #include "core/session/section_commands.h"
 #include "core/session/selection_commands.h"
+#include "core/session/sheet_commands.h"
 #include "core/session/skin_commands.h"
 #include "core/session/template_commands.h"
 #include "core/session/tool_commands.h"
@@ -125,6 +126,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerEdits(registry, session, interaction);
     registerViewCommands(registry, session, interaction);
     registerLoadCommands(registry, session, interaction);
+    registerSheetCommands(registry, session, interaction);
     registerBearingCommands(registry, session, interaction);
     registerSkinCommands(registry, session);
     registerTemplateCommands(registry, session, interaction);

@@ -28,6 +28,7 @@ target_sources(fff_session PRIVATE
     scheduler.cpp
     section_commands.cpp
     section_names.cpp
+    sheet_commands.cpp
     selection_commands.cpp
     session.cpp
     session_commands.cpp

@@ -57,7 +57,9 @@ target_sources(tests_session PRIVATE
 target_compile_definitions(tests_session PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 # How parts lie on their sheets.
-fff_tests(tests_sheets LIBRARIES fff::session TESTS core/session/tst_sheets)
+fff_tests(tests_sheets LIBRARIES fff::session TESTS
+    core/session/tst_sheet_wishes
+    core/session/tst_sheets)
 
 # They count what is allocated in all of the program.
 fff_tests(tests_memory LIBRARIES fff::session TESTS

@@ -81,11 +81,18 @@ bool isSound(const Nested &nested)
     return problem.pieces.size() == nested.parts->parts.size() && !nest::faultOf(problem, solution);
 }
 
-PinnedBody pinnedAt(const Nested &nested, int part, int sheet, const Vec2 &offset,
-                    const Vec2 &turn = Vec2::UnitX())
+PinnedPlace pinnedAt(const Nested &nested, int part, int sheet, const Vec2 &offset,
+                     const Vec2 &turn = Vec2::UnitX())
 {
     const int section = nested.parts->parts[static_cast<std::size_t>(part)].section;
     return {nested.analysis->model.ref(static_cast<std::size_t>(section)), 0, sheet, turn, offset};
+}
+
+/// A place on the first sheet where nothing lies.
+PinnedPlace freePlace(const Nested &nested, int part)
+{
+    const Vec2 size = nested.layout->sheets.front().size;
+    return pinnedAt(nested, part, 0, size - Vec2(40.0, 60.0));
 }
 
 /// A comb of which one rib is higher.
@@ -107,6 +114,10 @@ private Q_SLOTS:
     void pinnedPartsStay();
     void pinsThatCannotStay_data();
     void pinsThatCannotStay();
+    void pinningMovesNoOther();
+    void unpinnedPartsGoBack();
+    void searchesLeavePinnedParts();
+    void sectionsTurnAsTheyMay();
     void anEditLeavesTheRest();
     void aGoneSectionLeavesTheRest();
     void manyChangesLayAllAnew();
@@ -149,17 +160,17 @@ void TestSheets::nobodyAsksAndNothingIsThere()
 // To the last bit, at any angle, also on a later sheet; and the others keep off them.
 void TestSheets::pinnedPartsStay()
 {
-    const AnalysisPointer analysis = analysisOf(combModel(12));
-    const Nested free = askedOf(analysis, {});
+    Document document = combModel(12);
+    const Nested free = askedOf(analysisOf(document), {});
     const double angle = radians(31.0);
-    SheetsQuestion question;
-    question.pinned = {pinnedAt(free, 3, 0, {300.125, 200.0}, {std::cos(angle), std::sin(angle)}),
-                       pinnedAt(free, 5, 1, {100.0, 100.0})};
+    document.pins = {pinnedAt(free, 3, 0, {300.125, 200.0}, {std::cos(angle), std::sin(angle)}),
+                     pinnedAt(free, 5, 1, {100.0, 100.0})};
+    const AnalysisPointer analysis = analysisOf(document);
     for (const Nested *previous : {static_cast<const Nested *>(nullptr), &free}) {
-        const Nested pinned = askedOf(analysis, question, previous);
+        const Nested pinned = askedOf(analysis, {}, previous);
         const auto lying = lyingOn(pinned);
         QVERIFY(pinned.loosened.empty());
-        QVERIFY((lying.at(3) == Lying{0, question.pinned[0].turn, {300.125, 200.0}}));
+        QVERIFY((lying.at(3) == Lying{0, document.pins[0].turn, {300.125, 200.0}}));
         QVERIFY((lying.at(5) == Lying{1, Vec2::UnitX(), {100.0, 100.0}}));
         QCOMPARE(lying.size(), free.parts->parts.size());
         QVERIFY(isSound(pinned));
@@ -189,14 +200,76 @@ void TestSheets::pinsThatCannotStay()
     QFETCH(int, sheet);
     QFETCH(Vec2, turn);
     QFETCH(Vec2, offset);
-    const AnalysisPointer analysis = analysisOf(combModel(6));
-    const Nested free = askedOf(analysis, {});
-    SheetsQuestion question;
-    question.pinned = {pinnedAt(free, 2, 0, {100, 100}), pinnedAt(free, 4, sheet, offset, turn)};
-    const Nested pinned = askedOf(analysis, question);
+    Document document = combModel(6);
+    const Nested free = askedOf(analysisOf(document), {});
+    document.pins = {pinnedAt(free, 2, 0, {100, 100}), pinnedAt(free, 4, sheet, offset, turn)};
+    const Nested pinned = askedOf(analysisOf(document), {});
     QCOMPARE(pinned.loosened, std::vector<int>{4});
     QVERIFY((lyingOn(pinned).at(2) == Lying{0, Vec2::UnitX(), {100, 100}}));
     QVERIFY(isSound(pinned));
+}
+
+// Wrong: who drags one part sees all the others jump.
+void TestSheets::pinningMovesNoOther()
+{
+    Document document = combModel(12);
+    const Nested before = askedOf(analysisOf(document), {});
+    document.pins = {freePlace(before, 4)};
+    const Nested pinned = askedOf(analysisOf(document), {}, &before);
+    auto was = lyingOn(before), is = lyingOn(pinned);
+    QCOMPARE(is.at(4).offset, document.pins[0].offset);
+    was.erase(4);
+    is.erase(4);
+    QVERIFY(was == is);
+    QVERIFY(pinned.loosened.empty());
+    QVERIFY(isSound(pinned));
+}
+
+// So that undo brings a part back, after however many moves.
+void TestSheets::unpinnedPartsGoBack()
+{
+    Document document = combModel(12);
+    const Nested before = askedOf(analysisOf(document), {});
+    document.pins = {freePlace(before, 4)};
+    const Nested pinned = askedOf(analysisOf(document), {}, &before);
+    document.pins[0].offset -= Vec2(3.0, 2.0);
+    const Nested moved = askedOf(analysisOf(document), {}, &pinned);
+    QCOMPARE(lyingOn(moved).at(4).offset, document.pins[0].offset);
+    document.pins.clear();
+    const Nested back = askedOf(analysisOf(document), {}, &moved);
+    QVERIFY(lyingOn(back) == lyingOn(before));
+    QVERIFY(back.layBefore.empty());
+}
+
+void TestSheets::searchesLeavePinnedParts()
+{
+    Document document = combModel(12);
+    const Nested before = askedOf(analysisOf(document), {});
+    document.pins = {freePlace(before, 4)};
+    const AnalysisPointer analysis = analysisOf(document);
+    const Nested quick = askedOf(analysis, {}, &before);
+    SheetsQuestion anew;
+    anew.times = 1;
+    const Nested again = askedOf(analysis, anew, &quick);
+    QCOMPARE(lyingOn(again).at(4).offset, document.pins[0].offset);
+    QVERIFY(isSound(again));
+}
+
+// Also where they lie already, and in another way than all others.
+void TestSheets::sectionsTurnAsTheyMay()
+{
+    Document document = combModel(12);
+    SheetsQuestion question;
+    question.nesting.turning = nest::Turning::Free;
+    const Nested before = askedOf(analysisOf(document), question);
+    for (const SectionPointer &section : document.sections)
+        document.turnings.push_back({section->ref(), nest::Turning::None});
+    for (const Nested *previous : {static_cast<const Nested *>(nullptr), &before}) {
+        const Nested locked = askedOf(analysisOf(document), question, previous);
+        for (const auto &[part, lying] : lyingOn(locked))
+            QCOMPARE(lying.turn, Vec2(Vec2::UnitX()));
+        QVERIFY(isSound(locked));
+    }
 }
 
 void TestSheets::anEditLeavesTheRest()
