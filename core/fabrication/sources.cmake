@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     fabrication/cutting_drawing.cpp
     fabrication/cutting_order.cpp
     fabrication/digits.cpp
+    fabrication/hand_placing.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp
     fabrication/machine.cpp

@@ -13,4 +13,5 @@ target_sources(fff_core PRIVATE
     nesting/search.cpp
     nesting/separation.cpp
     nesting/shape.cpp
+    nesting/sliding.cpp
 )
