@@ -67,7 +67,6 @@ target_sources(fff_ui PRIVATE
     dialogs/stock_fields.cpp
     dialogs/stock_list.cpp
     dialogs/stock_words.cpp
-    dialogs/turning_choices.cpp
     docks/check_entries.cpp
     docks/shown_problems.cpp
     docks/check_row.cpp
@@ -140,6 +139,7 @@ target_sources(fff_ui PRIVATE
     properties/stock_choice.cpp
     properties/thickness_field.cpp
     properties/triple_row.cpp
+    properties/turning_choices.cpp
     properties/varying_rows.cpp
     settings/check_rules.cpp
     settings/settings.cpp

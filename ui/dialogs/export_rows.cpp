@@ -3,8 +3,8 @@
 #include "core/io/machine_library.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
-#include "ui/dialogs/turning_choices.h"
 #include "ui/properties/property_rows.h"
+#include "ui/properties/turning_choices.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>

@@ -6,9 +6,9 @@
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/stock_words.h"
-#include "ui/dialogs/turning_choices.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
+#include "ui/properties/turning_choices.h"
 #include "ui/view/view_style.h"
 
 #include <QCheckBox>
