@@ -31,6 +31,7 @@ constexpr Text kEditStock = FFF_TEXT("Step", "Edit %1");
 
 constexpr double kMegapascalsPerGigapascal = 1000.0;
 constexpr double kPercent = 100.0;
+constexpr double kMostPrice = 100000.0;
 constexpr NumberEdit::Range kLasting{1.0, 100.0, 5.0, 0, 1};
 constexpr LengthEdit::Range kSheetRange{10.0, 10000.0, 10.0, 0, 1};
 
@@ -101,6 +102,24 @@ void StockFields::makeSheet()
     group->add(size);
     addNumber(group, tr("Density"), "stockDensity", 10.0, 20000.0, 10.0, 0, tr("kg/m³"),
               [](Stock &s) -> double & { return s.density; });
+    addPrice(group);
+}
+
+/// Of one sheet, in the money of where the person is.
+void StockFields::addPrice(PropertyGroup *group)
+{
+    auto *field = new NumberEdit({0.0, kMostPrice, 0.5, 2, 2},
+                                 locale().currencySymbol(QLocale::CurrencySymbol), group);
+    field->setSpecialValueText(tr("not known"));
+    field->setToolTip(tr("0 means not known"));
+    auto *row = new EditorRow(
+        tr("Price of a sheet"), "stockPrice", field,
+        [this, field] { field->setNumber(stock()->price.value_or(0.0)); }, group);
+    connect(field, &NumberEdit::numberEdited, this, [this](double number) {
+        edit([&](Stock &s) { s.price = number > 0.0 ? std::optional(number) : std::nullopt; });
+    });
+    group->add(row);
+    m_rows.push_back(row);
 }
 
 /// Two fields and the sizes that are common.

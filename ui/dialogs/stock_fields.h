@@ -39,6 +39,7 @@ private:
                    double most, double step, int digits, const QString &unit,
                    std::function<double &(Stock &)> value);
     /// 0 stands for "not rated". `perUnit`: of the unit that is shown in that of the model.
+    void addPrice(PropertyGroup *group);
     void addRating(PropertyGroup *group, const QString &name, const char *objectName, double most,
                    double step, const QString &unit, double perUnit,
                    std::optional<double> Stock::*value);
