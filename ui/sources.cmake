@@ -146,10 +146,12 @@ target_sources(fff_ui PRIVATE
     settings/settings_checks.cpp
     settings/system_wishes.cpp
     sheets/layout_group.cpp
+    sheets/part_hand.cpp
     sheets/placed_sheets.cpp
     sheets/sheets_content.cpp
     sheets/sheets_dock.cpp
     sheets/sheets_view.cpp
+    sheets/sheets_view_hand.cpp
     sheets/sheets_view_painting.cpp
     start/samples.cpp
     start/start_page.cpp

@@ -79,6 +79,7 @@ set(icon_names
     perspective
     pick
     picture
+    pin
     plane_front
     plane_ground
     plane_parallel

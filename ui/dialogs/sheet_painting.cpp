@@ -1,5 +1,6 @@
 #include "ui/dialogs/sheet_painting.h"
 
+#include "ui/base/icon.h"
 #include "ui/base/theme.h"
 
 #include <QCoreApplication>
@@ -23,7 +24,7 @@ constexpr double kReadableScale = 2.5;
 constexpr double kGapToBar = 10.0;  // mm, as between sheets in a file
 constexpr QSizeF kBar(100.0, 10.0); // mm, the writers'
 constexpr double kHoverWidth = 2.0; // px
-constexpr float kHoverAlpha = 0.6F, kFillAlpha = 0.16F;
+constexpr float kHoverAlpha = 0.6F, kFillAlpha = 0.16F, kHeldAlpha = 0.85F;
 constexpr double kGrainStep = 12.0; // mm
 
 /// The material's, whatever the theme; in high contrast black on white but for what is cut.
@@ -31,7 +32,8 @@ struct SheetColours
 {
     QColor ground{0xFC, 0xF6, 0xEA}, edge{0x9B, 0x83, 0x58}, margin{0xC9, 0xB8, 0x8F};
     QColor part{0xF3, 0xE3, 0xC3}, cut{0xDB, 0x6A, 0x63}, number{0x1F, 0x43, 0x96};
-    QColor engraved{0x3A, 0x2E, 0x1C}, scored{0x2E, 0x7D, 0x32}, grain{0xE6, 0xD6, 0xB4};
+    QColor pinned{0xEB, 0xD9, 0xB2}, engraved{0x3A, 0x2E, 0x1C}, scored{0x2E, 0x7D, 0x32},
+        grain{0xE6, 0xD6, 0xB4};
     double cutWidth = 0.8; // px
 };
 
@@ -39,7 +41,7 @@ SheetColours sheetColours()
 {
     SheetColours colours;
     if (theme().isHighContrast) {
-        colours.ground = colours.part = colours.grain = Qt::white;
+        colours.ground = colours.part = colours.grain = colours.pinned = Qt::white;
         colours.edge = colours.engraved = Qt::black;
         colours.margin = QColor(0x55, 0x55, 0x55);
         colours.cut = QColor(0xB0, 0x00, 0x00);
@@ -77,6 +79,40 @@ void paintNumber(const PartPaths &part, const QTransform &transform, QPainter &p
     painter.drawText(QRectF(middle.x() - 50.0, middle.y() - size, 100.0, 2.0 * size),
                      Qt::AlignCenter, QString::number(part.number));
     painter.setFont(before);
+}
+
+/// Beside the number: that it is pinned, and before it that it keeps to the grain. Where there is
+/// no room for either, the colour of what is pinned has to do.
+void paintLook(const PartPaths &part, const PartLook &look, const SheetPainting &how,
+               QPainter &painter)
+{
+    if (!look.isPinned && !look.keepsToGrain)
+        return;
+    constexpr double kBeside = 22.0, kRadius = 8.0, kHead = 3.0; // px
+    const QTransform back = how.transform.inverted();
+    const QPointF middle = how.transform.map(part.roomiest);
+    const auto hasRoom = [&](const QPointF &at) {
+        const QRectF box(at - QPointF(kRadius, kRadius), QSizeF(2.0 * kRadius, 2.0 * kRadius));
+        return part.cuts.contains(back.mapRect(box));
+    };
+    painter.setPen(hairline(theme().border, 1.0));
+    if (const QPointF at = middle + QPointF(kBeside, 0.0); look.isPinned && hasRoom(at)) {
+        const int side = static_cast<int>(1.5 * kRadius);
+        painter.setBrush(theme().panel);
+        painter.drawEllipse(at, kRadius, kRadius);
+        painter.drawPixmap(at - 0.5 * QPointF(side, side),
+                           tintedPixmap(QStringLiteral("pin"), side, theme().text,
+                                        painter.device()->devicePixelRatioF()));
+    }
+    if (const QPointF at = middle - QPointF(kBeside, 0.0); look.keepsToGrain && hasRoom(at)) {
+        painter.setPen(hairline(sheetColours().edge, 1.5));
+        const QPointF end(kRadius, 0.0);
+        painter.drawLine(at - end, at + end);
+        for (const double way : {-1.0, 1.0})
+            for (const double up : {-kHead, kHead})
+                painter.drawLine(at + way * end,
+                                 at + way * (end - QPointF(kHead, 0.0)) + QPointF(0.0, up));
+    }
 }
 
 void paintGrain(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter)
@@ -160,9 +196,13 @@ void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
         paintGround(sheet, how, colours, painter);
     }
     const bool isReadable = scaleOf(how.transform) >= kReadableScale;
-    for (const PartPaths &part : sheet.parts) {
+    for (std::size_t i = 0; i < sheet.parts.size(); ++i) {
+        const PartPaths &part = sheet.parts[i];
+        const PartLook look = i < how.looks.size() ? how.looks[i] : PartLook();
+        if (look.isLeftOut)
+            continue;
         painter.setPen(hairline(colours.cut, colours.cutWidth));
-        painter.setBrush(colours.part);
+        painter.setBrush(look.isPinned ? colours.pinned : colours.part);
         painter.drawPath(how.transform.map(part.cuts));
         painter.setBrush(Qt::NoBrush);
         painter.setPen(hairline(colours.engraved, 0.8));
@@ -174,6 +214,7 @@ void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
             painter.drawPath(how.transform.map(part.label));
         else
             paintNumber(part, how.transform, painter);
+        paintLook(part, look, how, painter);
     }
     if (how.hasReference)
         paintReference(how, painter);
@@ -190,6 +231,24 @@ void paintHovered(const PartPaths &part, const SheetPainting &how, QPainter &pai
     accent.setAlphaF(kFillAlpha);
     painter.setBrush(accent);
     painter.drawPath(how.transform.map(part.cuts));
+    painter.restore();
+}
+
+void paintHeld(const PartPaths &part, const SheetPainting &how, bool isSound, QPainter &painter)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPainterPath cuts = how.transform.map(part.cuts);
+    QColor fill = sheetColours().part;
+    if (!isSound)
+        fill = theme().problemSoft;
+    fill.setAlphaF(kHeldAlpha);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    painter.drawPath(cuts);
+    painter.setPen(hairline(isSound ? theme().accent : theme().problem, kHoverWidth));
+    painter.setBrush(isSound ? QBrush(Qt::NoBrush) : QBrush(theme().problem, Qt::BDiagPattern));
+    painter.drawPath(cuts);
     painter.restore();
 }
 

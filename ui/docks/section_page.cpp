@@ -1,8 +1,10 @@
 #include "ui/docks/section_page.h"
 
+#include "core/interaction/sheet_editing.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/origin.h"
+#include "core/model/sheet_edits.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/properties_header.h"
@@ -16,6 +18,7 @@
 #include "ui/properties/point_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
+#include "ui/properties/turning_choices.h"
 
 #include <QVBoxLayout>
 
@@ -91,6 +94,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_magnetGroup = new MagnetGroup(m_bench, this);
     m_jointGroup = new PropertyGroup(tr("Joints"), this);
     addStockRows(stock);
+    addTurningRow(stock);
     addContourRows(m_figureGroup);
     m_joints = new JointRows(m_jointGroup);
     m_joints->setObjectName(QStringLiteral("jointList"));
@@ -194,6 +198,33 @@ void SectionPage::addStockRows(PropertyGroup *group)
         group->add(row);
         m_rows.push_back(row);
     }
+}
+
+/// The first choice is that of all sections, on the page of the sheets.
+void SectionPage::addTurningRow(PropertyGroup *group)
+{
+    const auto read = [this] {
+        const Model &model = m_bench.session().model();
+        std::set<std::optional<nest::Turning>> wanted;
+        for (const int i : m_selected)
+            wanted.insert(turningOf(model.document, *model.section(static_cast<std::size_t>(i))));
+        Choices choices = turningChoices(nest::Turning::Free);
+        choices.all.insert(choices.all.begin(), {tr("As all others"), {}});
+        choices.current = -1;
+        if (wanted.size() == 1)
+            choices.current = *wanted.begin() ? 1 + turningChoices(**wanted.begin()).current : 0;
+        return choices;
+    };
+    const auto write = [this](int choice) {
+        const Model &model = m_bench.session().committed();
+        const auto wanted = choice > 0 ? std::optional(turningOf(choice - 1)) : std::nullopt;
+        m_bench.editSections(turnedOnSheets(model, model.refs(selectedSections(m_bench)), wanted));
+    };
+    auto *row = new ChoiceRow(tr("Rotation"), "sectionTurning", read, write, group);
+    row->setToolTip(tr("How its parts may be turned on the sheet: one that keeps to the grain lies "
+                       "as it is drawn, or by half turns"));
+    group->add(row);
+    m_rows.push_back(row);
 }
 
 void SectionPage::addContourRows(PropertyGroup *group)

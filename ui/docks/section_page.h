@@ -45,6 +45,7 @@ protected:
 
 private:
     void addStockRows(PropertyGroup *group);
+    void addTurningRow(PropertyGroup *group);
     void addContourRows(PropertyGroup *group);
     void refreshJoints();
     std::optional<double> commonThickness() const;

@@ -1,4 +1,4 @@
-#include "ui/dialogs/turning_choices.h"
+#include "ui/properties/turning_choices.h"
 
 #include <QCoreApplication>
 

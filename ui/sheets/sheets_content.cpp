@@ -1,13 +1,16 @@
 #include "ui/sheets/sheets_content.h"
 
+#include "core/analysis/lying_parts.h"
 #include "core/base/units.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/turning.h"
+#include "core/model/sheet_edits.h"
 #include "ui/properties/stock_choice.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace fff::ui {
 
@@ -22,11 +25,20 @@ bool isOversized(const Sheet &sheet, const Layout &layout)
                      sheet.placements.front().part) != layout.oversized.end();
 }
 
-PartOnSheet partOnSheet(const Placement &placement, const Nested &nested)
+PartOnSheet partOnSheet(const Placement &placement, const Nested &nested,
+                        const BodiesOfParts &bodies)
 {
     const Part &part = nested.parts->parts[static_cast<std::size_t>(placement.part)];
     PartOnSheet on;
-    on.section = nested.analysis->model.ref(static_cast<std::size_t>(part.section));
+    const Model &model = nested.analysis->model;
+    std::tie(on.section, on.body) = bodies.ofPart[static_cast<std::size_t>(placement.part)];
+    const auto own =
+        turningOf(model.document, *model.section(static_cast<std::size_t>(part.section)));
+    on.turning = own.value_or(nested.question->nesting.turning);
+    on.keepsToGrain = own == nest::Turning::None || own == nest::Turning::Half;
+    const std::vector<int> &loosened = nested.loosened;
+    on.isPinned = pinOf(model.document, on.section, on.body) &&
+                  std::find(loosened.begin(), loosened.end(), placement.part) == loosened.end();
     on.size = turnedBounds(part.outline.region.outer, Vec2::UnitX()).size();
     const double turn = degrees(std::atan2(placement.turn.y(), placement.turn.x()));
     on.turn = turn < 0.0 ? turn + kWholeTurn : turn;
@@ -59,13 +71,14 @@ SheetsContent sheetsContent(std::shared_ptr<const CuttingWork::Made> made)
     content.margin = options.layout.margin;
     content.hasGrain =
         options.turning == nest::Turning::None || options.turning == nest::Turning::Half;
+    const BodiesOfParts bodies = bodiesOfParts(nested.analysis->model, nested.parts->parts);
     std::set<StockId> stocks;
     for (const Sheet &sheet : nested.layout->sheets)
         stocks.insert(sheet.stock);
     for (const Sheet &sheet : nested.layout->sheets) {
         SheetFacts facts;
         for (const Placement &placement : sheet.placements)
-            facts.parts.push_back(partOnSheet(placement, nested));
+            facts.parts.push_back(partOnSheet(placement, nested, bodies));
         facts.isTooLarge = isOversized(sheet, *nested.layout);
         facts.usedShare = areaOn(sheet, nested.parts->parts) / (sheet.size.x() * sheet.size.y());
         const Stock *stock = nested.analysis->model.document.find(sheet.stock);

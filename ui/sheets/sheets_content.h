@@ -11,11 +11,22 @@
 
 namespace fff::ui {
 
+/// A part that is shown: indices.
+struct SheetSpot
+{
+    std::size_t sheet = 0, part = 0;
+    bool operator==(const SheetSpot &) const = default;
+};
+
 struct PartOnSheet
 {
     SectionRef section;
-    Vec2 size = Vec2::Zero(); // of its box as drawn, mm
-    double turn = 0.0;        // degrees, counter-clockwise, 0 … 360
+    int body = 0;                                // of the section
+    Vec2 size = Vec2::Zero();                    // of its box as drawn, mm
+    double turn = 0.0;                           // degrees, counter-clockwise, 0 … 360
+    nest::Turning turning = nest::Turning::Free; // how it may be turned
+    bool keepsToGrain = false;                   // by a wish of its own
+    bool isPinned = false;
 };
 
 struct SheetFacts

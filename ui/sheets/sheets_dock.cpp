@@ -1,6 +1,9 @@
 #include "ui/sheets/sheets_dock.h"
 
+#include "core/fabrication/cutting_order.h"
+#include "core/interaction/sheet_editing.h"
 #include "core/io/error_text.h"
+#include "core/io/machine_library.h"
 #include "core/session/scheduler.h"
 #include "core/session/sheet_nesting.h"
 #include "ui/bench/cutting_words.h"
@@ -28,6 +31,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kRowsWidth = 314, kBarWidth = 250; // px
+constexpr double kMinute = 60.0;                 // s
 constexpr int kThousand = 1000;                  // steps of the bar
 
 /// Sections with a part that fits no sheet.
@@ -78,6 +82,17 @@ SheetsDock::SheetsDock(Workbench &bench, QWidget *parent)
     setWidget(content);
 
     connect(m_view, &SheetsView::sectionHovered, this, &SheetsDock::light);
+    connect(m_view, &SheetsView::placed, this, [this](const PinnedPlace &place, bool isByKey) {
+        edit(placedOnSheet(m_bench.session().committed(), place,
+                           isByKey ? PlacingBy::Key : PlacingBy::Hand));
+    });
+    connect(m_view, &SheetsView::pinned, this, [this](const std::vector<PinnedPlace> &places) {
+        edit(pinnedOnSheets(m_bench.session().committed(), places));
+    });
+    connect(m_view, &SheetsView::letGo, this, [this](const std::vector<SectionRef> &sections) {
+        edit(unpinned(m_bench.session().committed(), sections));
+    });
+    connect(m_view, &SheetsView::refused, this, &SheetsDock::say);
     connect(m_view, &SheetsView::selected, &bench,
             [this](const std::vector<SectionRef> &sections) { m_bench.select(sections); });
     connect(&bench, &Workbench::selectionChanged, this,
@@ -145,6 +160,12 @@ QWidget *SheetsDock::makeFoot()
     auto *row = new QHBoxLayout(foot);
     row->setContentsMargins(12, 5, 12, 6);
     row->addWidget(m_foot, 1);
+    m_unpin = new LinkRow(foot);
+    m_unpin->setObjectName(QStringLiteral("sheetsUnpin"));
+    m_unpin->setTexts({tr("Unpin all")});
+    row->addWidget(m_unpin);
+    connect(m_unpin, &LinkRow::clicked, this,
+            [this] { m_bench.run(QStringLiteral("sheets.unpinAll")); });
     return foot;
 }
 
@@ -168,6 +189,8 @@ void SheetsDock::refresh()
         SheetsContent content = said.isEmpty() ? sheetsContent(m_work->made()) : SheetsContent();
         content.isOlder = isOlder;
         content.note = said;
+        if (shown != m_shown)
+            m_said.clear();
         m_shown = shown;
         m_wasOlder = isOlder;
         m_view->setContent(std::move(content));
@@ -191,9 +214,32 @@ void SheetsDock::refreshHead()
     m_bar->setFormat(tr("Nesting… %1 %").arg(locale().toString(100.0 * filled, 'f', 1)));
     if (isSearching)
         m_state->setText(tr("keeps the best so far"));
+    else if (m_wasOlder && m_view->content().note.isEmpty() && !m_view->hand())
+        m_state->setText(tr("Nesting again…"));
     else
-        m_state->setText(m_wasOlder && m_view->content().note.isEmpty() ? tr("Nesting again…")
-                                                                        : QString());
+        m_state->setText(m_said.isEmpty() ? looseText() : m_said);
+}
+
+/// Of pinned parts that could not stay.
+QString SheetsDock::looseText() const
+{
+    const bool isThere = m_work->made() && m_view->content().note.isEmpty();
+    const auto count = isThere ? m_work->made()->nested->loosened.size() : 0;
+    return count == 0 ? QString()
+                      : tr("%n pinned part(s) had no room where they were.", nullptr,
+                           static_cast<int>(count));
+}
+
+void SheetsDock::edit(SectionEdit edit)
+{
+    m_said.clear();
+    m_bench.editSections(std::move(edit));
+}
+
+void SheetsDock::say(const QString &why)
+{
+    m_said = why;
+    refreshHead();
 }
 
 void SheetsDock::refreshTooLarge()
@@ -223,8 +269,48 @@ void SheetsDock::splitTooLarge()
     m_bench.run(QStringLiteral("operation.grid"));
 }
 
+/// By the machine that Export writes for.
+std::optional<double> SheetsDock::seconds()
+{
+    const QString key = rememberedChoices().machine;
+    const void *made = m_work->made().get();
+    if (made == m_timed && key == m_timedBy)
+        return m_seconds;
+    m_timed = made;
+    m_timedBy = key;
+    m_seconds.reset();
+    const auto library = io::machineLibrary();
+    const auto machine = std::find_if(library.begin(), library.end(), [&](const auto &one) {
+        return QString::fromStdString(one->key) == key;
+    });
+    if (machine == library.end())
+        return m_seconds;
+    ToolWay way;
+    for (const CuttingSheet &sheet : m_work->cutting()->drawing.sheets)
+        way += wayAlong(inCuttingOrder(sheet), **machine);
+    m_seconds = way.seconds;
+    return m_seconds;
+}
+
+/// Where all sheets have one.
+QString SheetsDock::priceText() const
+{
+    const Nested &nested = *m_work->made()->nested;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < nested.layout->sheets.size(); ++i) {
+        if (m_view->content().facts[i].isTooLarge)
+            continue;
+        const Stock *stock = nested.analysis->model.document.find(nested.layout->sheets[i].stock);
+        if (!stock || !stock->price)
+            return {};
+        sum += *stock->price;
+    }
+    return sum > 0.0 ? locale().toCurrencyString(sum) : QString();
+}
+
 void SheetsDock::refreshFoot()
 {
+    m_unpin->setVisible(!m_bench.session().committed().document.pins.empty());
     const Cutting *cutting = m_view->content().note.isEmpty() ? m_work->cutting() : nullptr;
     if (!cutting) {
         m_foot->clear();
@@ -235,10 +321,17 @@ void SheetsDock::refreshFoot()
     const int sheets = cutting->sheetCount() - static_cast<int>(nested.layout->oversized.size());
     //: %1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine
     //: cuts
-    m_foot->setText(tr("%1 on %2 \u00B7 %3 % filled \u00B7 %4 of cutting")
-                        .arg(bold(partCountText(cutting->partCount)), bold(sheetCountText(sheets)),
-                             locale().toString(100.0 * nested.filled, 'f', 1),
-                             cutLengthText(nested.cutLength, locale())));
+    QStringList facts{tr("%1 on %2 \u00B7 %3 % filled \u00B7 %4 of cutting")
+                          .arg(bold(partCountText(cutting->partCount)),
+                               bold(sheetCountText(sheets)),
+                               locale().toString(100.0 * nested.filled, 'f', 1),
+                               cutLengthText(nested.cutLength, locale()))};
+    if (const std::optional<double> time = seconds())
+        //: how long a machine cuts
+        facts += tr("about %n min", nullptr, static_cast<int>(std::ceil(*time / kMinute)));
+    if (const QString price = priceText(); !price.isEmpty())
+        facts += price;
+    m_foot->setText(facts.join(QStringLiteral(" \u00B7 ")));
 }
 
 void SheetsDock::light(std::optional<SectionRef> section)

@@ -4,7 +4,10 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
+#include "core/interaction/section_edit.h"
 #include "core/model/section.h"
+
+#include <QString>
 
 #include <optional>
 #include <vector>
@@ -47,6 +50,11 @@ private:
     void light(std::optional<SectionRef> section);
     void followView();
     void splitTooLarge();
+    void edit(SectionEdit edit);
+    void say(const QString &why);
+    std::optional<double> seconds();
+    QString priceText() const;
+    QString looseText() const;
     QString note() const;
 
     Workbench &m_bench;
@@ -61,7 +69,12 @@ private:
     QLabel *m_tooLargeText = nullptr;
     LinkRow *m_split = nullptr;
     QLabel *m_foot = nullptr;
-    const void *m_shown = nullptr; // what the view shows
+    LinkRow *m_unpin = nullptr;
+    QString m_said;                  // why a part is not where somebody wanted it
+    std::optional<double> m_seconds; // that the machine takes
+    const void *m_timed = nullptr;   // for what
+    QString m_timedBy;               // and by which machine
+    const void *m_shown = nullptr;   // what the view shows
     bool m_wasOlder = false;
     bool m_lights = false; // a section in the view
 };

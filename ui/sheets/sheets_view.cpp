@@ -4,6 +4,8 @@
 
 #include <QApplication>
 #include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -19,6 +21,7 @@ constexpr double kSheetsAround = 14.0;   // px, round all of them
 constexpr double kMostSheetsZoom = 60.0; // of what fits
 constexpr double kSheetsZoomStep = 1.25; // of a key; and of a notch of the wheel
 constexpr double kSheetsPanStep = 40.0;  // px
+constexpr double kHandleReach = 9.0;     // px, about the handle that turns a part
 constexpr int kWheelNotch = 120;         // eighths of a degree
 
 } // namespace
@@ -30,12 +33,26 @@ SheetsView::SheetsView(QWidget *parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Sheets, as they will be cut"));
-    setAccessibleDescription(tr("Page Up and Page Down go from part to part, plus and minus zoom, "
-                                "the arrow keys move the sheets, Home shows all of them."));
+    setAccessibleDescription(tr("Page Up and Page Down go from part to part, the arrow keys move "
+                                "a part by 1 mm, R turns it, P pins it. Plus and minus zoom, Home "
+                                "shows all sheets."));
 }
 
+/// Nothing moves while a part is dragged.
 void SheetsView::setContent(SheetsContent content)
 {
+    if (m_doing == Hand::None)
+        setContentNow(std::move(content));
+    else
+        m_next = std::move(content);
+}
+
+void SheetsView::setContentNow(SheetsContent content)
+{
+    m_next.reset();
+    // What was put down lies there until it is laid, or until all is of something else.
+    if (!content.isOlder || content.made != m_content.made)
+        m_hand.reset();
     m_content = std::move(content);
     m_hovered.reset();
     place();
@@ -103,7 +120,7 @@ QTransform SheetsView::transform(std::size_t sheet) const
 
 std::optional<SheetsView::Spot> SheetsView::partAt(const QPointF &place) const
 {
-    if (m_content.isOlder)
+    if (m_content.isOlder || m_hand)
         return std::nullopt;
     for (const PlacedSheet &placed : m_placed.all) {
         if (!rectOf(placed).contains(place))
@@ -180,6 +197,7 @@ void SheetsView::choose(std::optional<Spot> spot, Qt::KeyboardModifiers keys)
     const bool addsTo = keys & (Qt::ControlModifier | Qt::ShiftModifier);
     std::set<SectionRef> next = addsTo ? m_selected : std::set<SectionRef>();
     if (spot) {
+        m_keys = {factsOf(*spot).section, factsOf(*spot).body};
         const SectionRef &section = factsOf(*spot).section;
         if (!next.insert(section).second)
             next.erase(section);
@@ -204,6 +222,7 @@ void SheetsView::chooseNext(int by)
         if (m_selected.contains(parts[static_cast<std::size_t>(i)].second) &&
             (by > 0 || at == count))
             at = i;
+    m_keys.reset();
     Q_EMIT selected({parts[static_cast<std::size_t>((at + by + count) % count)].second});
 }
 
@@ -232,6 +251,13 @@ void SheetsView::mousePressEvent(QMouseEvent *event)
     m_isMoved = false;
     m_pressed = m_last = event->position();
     m_pressedAt = partAt(m_pressed);
+    const std::optional<QPointF> handle = this->handle();
+    const bool isOnHandle = handle && QLineF(*handle, m_pressed).length() <= kHandleReach;
+    if (event->button() == Qt::LeftButton && isOnHandle) {
+        m_pressedAt = partOfKeys();
+        if (beginHand())
+            m_doing = Hand::Turns;
+    }
 }
 
 void SheetsView::mouseMoveEvent(QMouseEvent *event)
@@ -243,7 +269,13 @@ void SheetsView::mouseMoveEvent(QMouseEvent *event)
     const QPointF way = event->position() - m_pressed;
     m_isMoved = m_isMoved || way.manhattanLength() >= QApplication::startDragDistance();
     const bool moves = m_button == Qt::MiddleButton || !m_pressedAt;
-    if (m_isMoved && moves) {
+    if (m_isMoved && !moves && m_doing == Hand::None && beginHand())
+        m_doing = Hand::Drags;
+    if (m_doing == Hand::Drags)
+        moveHand(event->position());
+    else if (m_doing == Hand::Turns)
+        turnHand(event->position(), event->modifiers() & Qt::ControlModifier);
+    else if (m_isMoved && moves) {
         setCursor(Qt::ClosedHandCursor);
         moveBy(event->position() - m_last);
     }
@@ -256,7 +288,9 @@ void SheetsView::mouseReleaseEvent(QMouseEvent *event)
         return;
     unsetCursor();
     m_button = Qt::NoButton;
-    if (event->button() == Qt::LeftButton && !m_isMoved)
+    if (m_doing != Hand::None)
+        endHand(true);
+    else if (event->button() == Qt::LeftButton && !m_isMoved)
         choose(m_pressedAt, event->modifiers());
 }
 
@@ -267,6 +301,8 @@ void SheetsView::leaveEvent(QEvent *)
 
 void SheetsView::keyPressEvent(QKeyEvent *event)
 {
+    if (handKey(*event))
+        return;
     switch (event->key()) {
     case Qt::Key_Home:
         return fit();
@@ -306,6 +342,13 @@ void SheetsView::changeEvent(QEvent *event)
 
 bool SheetsView::event(QEvent *event)
 {
+    // Single letters are the view's elsewhere, and Esc is everybody's: while a part is dragged it
+    // is for that.
+    if (event->type() == QEvent::ShortcutOverride && m_doing != Hand::None &&
+        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::ToolTip) {
         const auto *help = static_cast<QHelpEvent *>(event);
         const auto spot = partAt(help->pos());

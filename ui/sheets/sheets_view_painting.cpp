@@ -58,6 +58,44 @@ void SheetsView::paintCaption(const PlacedSheet &placed, QPainter &painter) cons
             painter.fontMetrics().elidedText(rest, Qt::ElideRight, static_cast<int>(line.width())));
 }
 
+SheetPainting SheetsView::paintingOf(const PlacedSheet &placed) const
+{
+    SheetPainting how{transform(placed.sheet), m_content.margin};
+    how.hasGrain = m_content.hasGrain;
+    how.isTooLarge = placed.isTooLarge;
+    for (const PartOnSheet &part : m_content.facts[placed.sheet].parts)
+        how.looks.push_back({part.isPinned, part.keepsToGrain, false});
+    if (m_hand && m_hand->spot().sheet == placed.sheet)
+        how.looks[m_hand->spot().part].isLeftOut = true;
+    return how;
+}
+
+void SheetsView::paintHand(QPainter &painter) const
+{
+    const SheetSpot &spot = m_hand->spot();
+    const SheetPainting how{m_hand->way() *
+                            transform(static_cast<std::size_t>(m_hand->now().sheet))};
+    paintHeld(pathsOf(spot), how, m_hand->isSound(), painter);
+}
+
+/// A ring over the box of the part that is selected, to turn it by.
+void SheetsView::paintHandle(QPainter &painter) const
+{
+    const std::optional<QPointF> at = handle();
+    if (!at)
+        return;
+    constexpr double kRing = 7.0, kDot = 2.0; // px
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme().accent, 2.0));
+    painter.setBrush(theme().panel);
+    painter.drawEllipse(*at, kRing, kRing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().accent);
+    painter.drawEllipse(*at, kDot, kDot);
+    painter.restore();
+}
+
 void SheetsView::paintAll()
 {
     m_picture = QPixmap(size() * devicePixelRatioF());
@@ -69,11 +107,8 @@ void SheetsView::paintAll()
         const QRectF seen = rectOf(placed).adjusted(0.0, -kSheetCaption, 0.0, 0.0);
         if (!seen.intersects(QRectF(rect())))
             continue;
-        SheetPainting how{transform(placed.sheet), m_content.margin};
-        how.hasGrain = m_content.hasGrain;
-        how.isTooLarge = placed.isTooLarge;
-        painter.setOpacity(m_content.isOlder ? kOlderSheets : 1.0);
-        paintSheet(m_content.sheets()[placed.sheet], how, painter);
+        painter.setOpacity(m_content.isOlder && !m_hand ? kOlderSheets : 1.0);
+        paintSheet(m_content.sheets()[placed.sheet], paintingOf(placed), painter);
         painter.setOpacity(1.0);
         paintCaption(placed, painter);
     }
@@ -99,8 +134,12 @@ void SheetsView::paintEvent(QPaintEvent *)
         paintAll();
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_picture);
-    if (!m_content.isOlder)
+    if (!m_content.isOlder && !m_hand) {
         paintMarks(painter);
+        paintHandle(painter);
+    }
+    if (m_hand)
+        paintHand(painter);
     if (!m_content.note.isEmpty()) {
         painter.setPen(theme().muted);
         painter.drawText(QRectF(rect()).adjusted(24, 24, -24, -24),
