@@ -3202,6 +3202,22 @@
         <source>Show the parts on their sheets, as they will be cut</source>
         <translation>Die Teile auf ihren Platten zeigen, wie sie geschnitten werden</translation>
     </message>
+    <message>
+        <source>Unpin all</source>
+        <translation>Alle lösen</translation>
+    </message>
+    <message>
+        <source>Let all parts be moved again when they are laid on sheets</source>
+        <translation>Alle Teile dürfen wieder bewegt werden, wenn sie auf Platten gelegt werden</translation>
+    </message>
+    <message>
+        <source>No part is pinned to its sheet</source>
+        <translation>Kein Teil ist auf seiner Platte angeheftet</translation>
+    </message>
+    <message>
+        <source>&amp;Unpin all parts</source>
+        <translation>Alle Teile &amp;lösen</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -4490,6 +4506,18 @@
     <message>
         <source>a machine</source>
         <translation>eine Maschine</translation>
+    </message>
+    <message>
+        <source>each part once, in the order of sections</source>
+        <translation>jedes Teil einmal, in der Reihenfolge der Scheiben</translation>
+    </message>
+    <message>
+        <source>each section once, in their order</source>
+        <translation>jede Scheibe einmal, in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>none, half, quarter or free</source>
+        <translation>none, half, quarter oder free</translation>
     </message>
 </context>
 <context>
@@ -7206,6 +7234,50 @@
         <source>Scale template %1</source>
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Vorlage %1 skalieren</translation>
+    </message>
+    <message>
+        <source>Place %1 on its sheet</source>
+        <extracomment>%1 is the name of a section: its part lies elsewhere on the sheet</extracomment>
+        <translation>%1 auf der Platte verschieben</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <extracomment>%1 is the name of a section: its part stays where it lies on the sheet</extracomment>
+        <translation>%1 anheften</translation>
+    </message>
+    <message numerus="yes">
+        <source>Pin %n parts</source>
+        <translation>
+            <numerusform>%n Teil anheften</numerusform>
+            <numerusform>%n Teile anheften</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unpin %1</source>
+        <translation>%1 lösen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Unpin %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe lösen</numerusform>
+            <numerusform>%n Scheiben lösen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unpin all parts</source>
+        <translation>Alle Teile lösen</translation>
+    </message>
+    <message>
+        <source>Change rotation of %1</source>
+        <extracomment>how parts may be turned on their sheet; %1 is the name of a section</extracomment>
+        <translation>Drehung von %1 ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change rotation of %n sections</source>
+        <translation>
+            <numerusform>Drehung von %n Scheibe ändern</numerusform>
+            <numerusform>Drehung von %n Scheiben ändern</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11624,6 +11696,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Thickness of the stock: all sections of this stock follow</source>
         <translation>Die des Materials: Alle Scheiben daraus folgen</translation>
     </message>
+    <message>
+        <source>As all others</source>
+        <translation>Wie alle anderen</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>How its parts may be turned on the sheet: one that keeps to the grain lies as it is drawn, or by half turns</source>
+        <translation>Wie ihre Teile auf der Platte gedreht werden dürfen: Was sich an die Maserung hält, liegt wie gezeichnet oder um halbe Drehungen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SegmentedBox</name>
@@ -11963,16 +12047,31 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
         <translation>%1 auf %2 · %3 % belegt · %4 zu schneiden</translation>
     </message>
+    <message>
+        <source>Unpin all</source>
+        <translation>Alle lösen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pinned part(s) had no room where they were.</source>
+        <translation>
+            <numerusform>%n angeheftetes Teil hatte an seiner Stelle keinen Platz.</numerusform>
+            <numerusform>%n angeheftete Teile hatten an ihren Stellen keinen Platz.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>etwa %n min</numerusform>
+            <numerusform>etwa %n min</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
     <message>
         <source>Sheets, as they will be cut</source>
         <translation>Platten, wie sie geschnitten werden</translation>
-    </message>
-    <message>
-        <source>Page Up and Page Down go from part to part, plus and minus zoom, the arrow keys move the sheets, Home shows all of them.</source>
-        <translation>Bild auf und Bild ab gehen von Teil zu Teil, Plus und Minus zoomen, die Pfeiltasten verschieben die Platten, Pos1 zeigt alle.</translation>
     </message>
     <message>
         <source>%1 %2 · %3 · turned %4°</source>
@@ -11998,6 +12097,22 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n Teil · %1 % belegt</numerusform>
             <numerusform> · %n Teile · %1 % belegt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Page Up and Page Down go from part to part, the arrow keys move a part by 1 mm, R turns it, P pins it. Plus and minus zoom, Home shows all sheets.</source>
+        <translation>Bild auf und Bild ab gehen von Teil zu Teil, die Pfeiltasten verschieben ein Teil um 1 mm, R dreht es, P heftet es an. Plus und Minus vergrößern und verkleinern, Pos1 zeigt alle Platten.</translation>
+    </message>
+    <message>
+        <source>There is no room for it.</source>
+        <translation>Dafür ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>It may not be turned by so little.</source>
+        <translation>So wenig darf es nicht gedreht werden.</translation>
+    </message>
+    <message>
+        <source>It lies as it is drawn.</source>
+        <translation>Es liegt wie gezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -12810,6 +12925,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>No sections are made of it</source>
         <translation>Keine Scheibe ist daraus</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>0 means not known</source>
+        <translation>0 heißt nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Price of a sheet</source>
+        <translation>Preis einer Platte</translation>
     </message>
 </context>
 <context>

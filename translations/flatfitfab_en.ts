@@ -589,6 +589,27 @@
             <numerusform>Release templates from %n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Pin %n parts</source>
+        <translation>
+            <numerusform>Pin %n part</numerusform>
+            <numerusform>Pin %n parts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Unpin %n sections</source>
+        <translation>
+            <numerusform>Unpin %n section</numerusform>
+            <numerusform>Unpin %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Change rotation of %n sections</source>
+        <translation>
+            <numerusform>Change rotation of %n section</numerusform>
+            <numerusform>Change rotation of %n sections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Suggestion</name>
@@ -778,6 +799,21 @@
         <translation>
             <numerusform>%1 and %n more are too large for their sheets.</numerusform>
             <numerusform>%1 and %n more are too large for their sheets.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pinned part(s) had no room where they were.</source>
+        <translation>
+            <numerusform>%n pinned part had no room where it was.</numerusform>
+            <numerusform>%n pinned parts had no room where they were.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>about %n min</numerusform>
+            <numerusform>about %n min</numerusform>
         </translation>
     </message>
 </context>

@@ -20,7 +20,7 @@ namespace {
 constexpr double kRightAngle = 90.0; // degrees
 
 constexpr CommandWords kSheetWords[] = {
-    {"sheets.unpinAll", FFF_TEXT("Command", "Unpin all parts"), FFF_TEXT("Command", "Unpin all"),
+    {"sheets.unpinAll", FFF_TEXT("Command", "&Unpin all parts"), FFF_TEXT("Command", "Unpin all"),
      "", "stocks",
      FFF_TEXT("Command", "Let all parts be moved again when they are laid on sheets")},
 };
