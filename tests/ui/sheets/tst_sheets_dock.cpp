@@ -18,11 +18,15 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QUndoStack>
 #include <QWheelEvent>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 using namespace fff;
@@ -49,12 +53,22 @@ private Q_SLOTS:
     void choicesAreThoseOfExport();
     void whatLiesThereIsExported();
     void tooLargePartsAreToldAndSplit();
+    void aDraggedPartStaysWhereItIsPut();
+    void onOthersItGoesBack();
+    void escapePutsItBack();
+    void theHandleTurnsIt();
+    void keysMoveTurnAndPin();
+    void whatKeepsToTheGrainIsNotTurned();
+    void whatIsPutThereIsExported();
     void aSearchIsStopped();
     void closedNothingIsWorkedOut();
 
 private:
     void open(const Document &document);
     void settle();
+    void drag(const QPoint &from, const QPoint &to);
+    std::size_t partOf(const SectionRef &section);
+    const Document &document() { return m_window->bench().session().committed().document; }
     MainWindow &window() { return *m_window; }
     Workbench &bench() { return m_window->bench(); }
     SheetsView &view() { return *m_window->findChild<SheetsView *>(); }
@@ -107,6 +121,29 @@ void TestSheetsDock::settle()
 {
     QTRY_VERIFY_WITH_TIMEOUT(bench().nesting().isCurrent() && !view().content().isOlder, 30000);
     QCoreApplication::processEvents();
+}
+
+/// In steps, and not let go of.
+void TestSheetsDock::drag(const QPoint &from, const QPoint &to)
+{
+    QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+    constexpr int kSteps = 5;
+    for (int i = 1; i <= kSteps; ++i) {
+        const QPointF at = QPointF(from) + QPointF(to - from) * (static_cast<double>(i) / kSteps);
+        QMouseEvent move(QEvent::MouseMove, at, view().mapToGlobal(at), Qt::NoButton,
+                         Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view(), &move);
+    }
+}
+
+/// Of the first sheet.
+std::size_t TestSheetsDock::partOf(const SectionRef &section)
+{
+    const std::vector<PartOnSheet> &parts = view().content().facts[0].parts;
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const PartOnSheet &part) {
+        return part.section == section;
+    });
+    return static_cast<std::size_t>(found - parts.begin());
 }
 
 void TestSheetsDock::withoutSectionsItSaysSo()
@@ -274,6 +311,162 @@ void TestSheetsDock::tooLargePartsAreToldAndSplit()
              std::vector<SectionRef>{bench().session().committed().ref(0)});
     QVERIFY(bench().interaction().tool());
     bench().escape();
+}
+
+namespace {
+
+/// Far from where parts are laid first.
+QPoint emptyCorner(const SheetsView &view)
+{
+    const QSizeF size = view.content().sheets()[0].size;
+    return view.transform(0).map(QPointF(size.width() - 60.0, size.height() - 60.0)).toPoint();
+}
+
+} // namespace
+
+// And the others stay where they are; with one step it is back.
+void TestSheetsDock::aDraggedPartStaysWhereItIsPut()
+{
+    open(combModel(6));
+    const SectionRef section = sectionAt(0, 2);
+    std::vector<QPoint> before;
+    for (std::size_t i = 0; i < 7; ++i)
+        before.push_back(placeOf(0, partOf(bench().session().committed().ref(i))));
+    const int index = bench().session().committed().indexOf(section);
+    const QPoint from = placeOf(0, 2), to = emptyCorner(view());
+    drag(from, to);
+    QVERIFY(view().hand() && view().hand()->isSound());
+    QVERIFY(document().pins.empty());
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+    QCOMPARE(document().pins.size(), std::size_t(1));
+    QCOMPARE(document().pins[0].section, section);
+    settle();
+    QVERIFY(!view().hand());
+    QVERIFY(view().content().facts[0].parts[partOf(section)].isPinned);
+    QVERIFY((placeOf(0, partOf(section)) - to).manhattanLength() <= 20); // snapping
+    for (std::size_t i = 0; i < 7; ++i)
+        if (static_cast<int>(i) != index)
+            QCOMPARE(placeOf(0, partOf(bench().session().committed().ref(i))), before[i]);
+    auto *unpin = m_window->findChild<LinkRow *>(QStringLiteral("sheetsUnpin"));
+    QVERIFY(unpin->isVisible());
+    bench().session().history()->undo();
+    settle();
+    QVERIFY(!unpin->isVisible());
+    for (std::size_t i = 0; i < 7; ++i)
+        QCOMPARE(placeOf(0, partOf(bench().session().committed().ref(i))), before[i]);
+    bench().session().history()->redo();
+    settle();
+    Q_EMIT unpin->clicked(0, false);
+    QVERIFY(document().pins.empty());
+}
+
+void TestSheetsDock::onOthersItGoesBack()
+{
+    open(combModel(6));
+    const QPoint from = placeOf(0, 2), to = placeOf(0, 4);
+    drag(from, to);
+    QVERIFY(view().hand() && !view().hand()->isSound());
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+    QVERIFY(!view().hand());
+    QVERIFY(document().pins.empty());
+    QCOMPARE(placeOf(0, 2), from);
+    QCOMPARE(text("sheetsState"), QStringLiteral("There is no room for it."));
+}
+
+void TestSheetsDock::escapePutsItBack()
+{
+    open(combModel(6));
+    const QPoint from = placeOf(0, 2), to = emptyCorner(view());
+    drag(from, to);
+    QTest::keyClick(&view(), Qt::Key_Escape);
+    QVERIFY(!view().hand());
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+    QVERIFY(document().pins.empty());
+    QCOMPARE(placeOf(0, 2), from);
+}
+
+void TestSheetsDock::theHandleTurnsIt()
+{
+    open(combModel(3));
+    const SectionRef section = sectionAt(0, 1);
+    drag(placeOf(0, 1), emptyCorner(view()));
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, emptyCorner(view()));
+    settle();
+    QVERIFY(view().handle());
+    const double before = view().content().facts[0].parts[partOf(section)].turn;
+    const QPointF handle = *view().handle();
+    const QRectF box = view()
+                           .transform(0)
+                           .map(view().content().sheets()[0].parts[partOf(section)].cuts)
+                           .boundingRect();
+    const QPointF way = handle - box.center();
+    drag(handle.toPoint(), (box.center() + QPointF(-way.y(), way.x())).toPoint());
+    QVERIFY(view().hand() && view().hand()->isMoved());
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, QPoint());
+    settle();
+    const double turned = view().content().facts[0].parts[partOf(section)].turn - before;
+    QVERIFY2(std::abs(std::remainder(std::abs(turned) - 90.0, 360.0)) < 8.0 ||
+                 std::abs(std::remainder(std::abs(turned) - 270.0, 360.0)) < 8.0,
+             qPrintable(QString::number(turned)));
+}
+
+void TestSheetsDock::keysMoveTurnAndPin()
+{
+    open(combModel(6));
+    const SectionRef section = sectionAt(0, 2);
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, placeOf(0, 2));
+    QTest::keyClick(&view(), Qt::Key_P);
+    QCOMPARE(document().pins.size(), std::size_t(1));
+    settle();
+    QTest::keyClick(&view(), Qt::Key_P);
+    QVERIFY(document().pins.empty());
+    settle();
+    drag(placeOf(0, partOf(section)), emptyCorner(view()));
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, emptyCorner(view()));
+    settle();
+    const PinnedPlace put = document().pins[0];
+    const int steps = bench().session().history()->count();
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(&view(), Qt::Key_Left);
+    QTest::keyClick(&view(), Qt::Key_Down);
+    QVERIFY((document().pins[0].offset - put.offset - Vec2(-3.0, -1.0)).norm() < 1e-9);
+    QCOMPARE(bench().session().history()->count(), steps + 1);
+    settle();
+    QTest::keyClick(&view(), Qt::Key_R);
+    QVERIFY((document().pins[0].turn - Vec2(-put.turn.y(), put.turn.x())).norm() < 1e-9);
+    settle();
+}
+
+void TestSheetsDock::whatKeepsToTheGrainIsNotTurned()
+{
+    open(combModel(6));
+    const SectionRef section = sectionAt(0, 2);
+    bench().run(QStringLiteral("sheets.turning"),
+                {{"section", bench().session().committed().nameOf(section)}, {"turning", "none"}});
+    settle();
+    const PartOnSheet &part = view().content().facts[0].parts[partOf(section)];
+    QVERIFY(part.keepsToGrain);
+    QCOMPARE(part.turn, 0.0);
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, placeOf(0, partOf(section)));
+    QVERIFY(!view().handle());
+    QTest::keyClick(&view(), Qt::Key_R);
+    QVERIFY(document().pins.empty());
+    QCOMPARE(text("sheetsState"), QStringLiteral("It lies as it is drawn."));
+}
+
+void TestSheetsDock::whatIsPutThereIsExported()
+{
+    open(combModel(6));
+    drag(placeOf(0, 2), emptyCorner(view()));
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, emptyCorner(view()));
+    settle();
+    inExportPanel(window(), [&](QDialog *dialog) {
+        const auto &sheet = *dialog->findChild<SheetView *>()->content().sheet;
+        const SheetPaths &shown = view().content().sheets()[0];
+        QCOMPARE(sheet.parts.size(), shown.parts.size());
+        for (std::size_t i = 0; i < shown.parts.size(); ++i)
+            QCOMPARE(sheet.parts[i].cuts, shown.parts[i].cuts);
+    });
 }
 
 void TestSheetsDock::aSearchIsStopped()
