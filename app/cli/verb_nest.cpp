@@ -1,6 +1,7 @@
 // The parts of a model close together on its sheets, or a problem of strip packing.
 #include "app/cli/command_line.h"
 #include "core/analysis/cutting.h"
+#include "core/analysis/lying_parts.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/nested_layout.h"
 #include "core/fabrication/wholeness.h"
@@ -313,6 +314,7 @@ int nestModel(const QString &file, const DocumentOptions &documentOptions, const
     options.turning = asked.turning.value_or(options.turning);
     options.seed = asked.seed;
     options.work = nest::workOf(asked.seconds);
+    addWishes(of->model, bodiesOfParts(of->model, of->parts), options);
     const Guard guard(asked.seconds);
     const NestedLayout nested = nestOut(of->parts, of->model, options, guard.work());
     for (const std::string &name : namesOfTooLarge(nested.layout, *of))

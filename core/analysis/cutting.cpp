@@ -1,6 +1,7 @@
 #include "core/analysis/cutting.h"
 
 #include "core/analysis/findings/narrow_slits.h"
+#include "core/analysis/lying_parts.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/wholeness.h"
@@ -120,6 +121,7 @@ Layout layoutOf(const Model &model, const std::vector<Part> &parts, const Cuttin
         return layOut(parts, model, options.layout);
     NestOptions nesting = *options.nesting;
     nesting.layout = options.layout;
+    addWishes(model, bodiesOfParts(model, parts), nesting);
     return nestOut(parts, model, nesting).layout;
 }
 

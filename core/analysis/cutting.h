@@ -24,7 +24,9 @@ struct DrawingExtras
 struct CuttingOptions : DrawingExtras
 {
     LayoutOptions layout;
-    std::optional<NestOptions> nesting = {}; // by true outlines, with `layout`; none: by boxes
+    /// By true outlines, with `layout`, and what the document wants of them (sheet_wishes.h); none:
+    /// by boxes, which know nothing of that.
+    std::optional<NestOptions> nesting = {};
     /// How the parts lie already, with these options; null: they are to be laid.
     std::shared_ptr<const Layout> lying = {};
     bool compensatesKerf = true; // each cut path offset by half its stock's kerf
