@@ -1,0 +1,167 @@
+#include "app/cli/nest.h"
+
+#include "core/analysis/cutting.h"
+#include "core/analysis/lying_parts.h"
+#include "core/fabrication/kerf.h"
+#include "core/fabrication/nested_layout.h"
+#include "core/fabrication/wholeness.h"
+#include "core/io/json_writer.h"
+#include "core/nesting/nester.h"
+#include "core/operations/evaluate.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fff::cli {
+
+namespace {
+
+using io::JsonWriter;
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+/// A model's parts as they are cut.
+struct PartsToNest
+{
+    std::vector<Part> parts;
+    Model model;
+};
+
+Result<PartsToNest> partsToNest(Document document)
+{
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(evaluate(std::move(document)), caches);
+    if (const Result<void> known = haveParts(analysis.model, analysis.bodies); !known)
+        return tl::unexpected(known.error());
+    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
+    if (parts.empty())
+        return nothingToExport(analysis);
+    auto paths = compensateKerf(std::move(parts), analysis.model, analysis.bodies);
+    if (!paths)
+        return tl::unexpected(paths.error());
+    return PartsToNest{*std::move(paths), analysis.model};
+}
+
+bool isTooLarge(const Layout &layout, int part)
+{
+    return std::find(layout.oversized.begin(), layout.oversized.end(), part) !=
+           layout.oversized.end();
+}
+
+/// Sheets with parts that fit them.
+std::vector<Sheet> properSheets(const Layout &layout)
+{
+    std::vector<Sheet> sheets;
+    for (const Sheet &sheet : layout.sheets)
+        if (!sheet.placements.empty() && !isTooLarge(layout, sheet.placements.front().part))
+            sheets.push_back(sheet);
+    return sheets;
+}
+
+std::vector<std::string> namesOfTooLarge(const Layout &layout, const PartsToNest &of)
+{
+    std::vector<std::string> names;
+    for (const int index : layout.oversized) {
+        const Part &part = of.parts[static_cast<std::size_t>(index)];
+        names.push_back(of.model.section(static_cast<std::size_t>(part.section))->name);
+    }
+    return names;
+}
+
+double fillOf(const Sheet &sheet, const std::vector<Part> &parts)
+{
+    Layout alone;
+    alone.sheets.push_back(sheet);
+    return usedShare(alone, parts);
+}
+
+void writeSheet(JsonWriter &json, const Sheet &sheet, const PartsToNest &of)
+{
+    json.beginObject();
+    json.member("size", sheet.size);
+    const Stock *stock = of.model.document.find(sheet.stock);
+    json.member("stock", stock ? stock->name : std::string());
+    json.member("fill", fillOf(sheet, of.parts));
+    json.key("parts");
+    json.beginArray();
+    for (const Placement &placement : sheet.placements) {
+        json.beginObject(JsonWriter::Layout::Line);
+        json.member("number", of.parts[static_cast<std::size_t>(placement.part)].number);
+        json.member("rotation", degreesOf(placement.turn));
+        json.member("at", placement.offset);
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+}
+
+std::string nestJson(const NestedLayout &nested, const PartsToNest &of, const NestAsked &asked)
+{
+    JsonWriter json;
+    json.beginObject();
+    json.member("seconds", secondsOf(nested.work));
+    json.member("seed", asked.seed);
+    json.key("sheets");
+    json.beginArray();
+    for (const Sheet &sheet : properSheets(nested.layout))
+        writeSheet(json, sheet, of);
+    json.endArray();
+    json.key("tooLarge");
+    json.beginArray();
+    for (const std::string &name : namesOfTooLarge(nested.layout, of))
+        json.value(name);
+    json.endArray();
+    json.endObject();
+    return json.take();
+}
+
+QStringList nestText(const NestedLayout &nested, const PartsToNest &of)
+{
+    const std::vector<Sheet> sheets = properSheets(nested.layout);
+    QStringList lines{tr("Parts: %1, sheets: %2")
+                          .arg(QString::number(of.parts.size()), QString::number(sheets.size()))};
+    for (const Sheet &sheet : sheets) {
+        const Stock *stock = of.model.document.find(sheet.stock);
+        //: A sheet's size, its stock, how many parts lie on it, and how much of it they cover
+        lines += tr("%1 × %2 mm, %3: %4 parts, %5 % covered")
+                     .arg(QString::number(sheet.size.x()), QString::number(sheet.size.y()),
+                          stock ? QString::fromStdString(stock->name) : QString(),
+                          QString::number(sheet.placements.size()),
+                          QString::number(100.0 * fillOf(sheet, of.parts), 'f', 1));
+    }
+    return lines;
+}
+
+} // namespace
+
+int nestModel(const QString &file, const DocumentOptions &documentOptions, const NestAsked &asked,
+              const Verb &verb)
+{
+    Loaded loaded = load(file, documentOptions, verb);
+    if (loaded.status)
+        return *loaded.status;
+    const Result<PartsToNest> of = partsToNest(std::move(loaded.document));
+    if (!of)
+        return report(of.error(), file);
+    NestOptions options;
+    options.layout.margin = asked.margin.value_or(options.layout.margin);
+    options.layout.spacing = asked.spacing.value_or(options.layout.spacing);
+    options.turning = asked.turning.value_or(options.turning);
+    options.seed = asked.seed;
+    options.work = nest::workOf(asked.seconds);
+    addWishes(of->model, bodiesOfParts(of->model, of->parts), options);
+    const NestGuard guard(asked.seconds);
+    const NestedLayout nested = nestOut(of->parts, of->model, options, guard.work());
+    for (const std::string &name : namesOfTooLarge(nested.layout, *of))
+        printError(tr("%1: a part is too large for its sheet.").arg(QString::fromStdString(name)));
+    return asked.asJson ? print(nestJson(nested, *of, asked)) : printLines(nestText(nested, *of));
+}
+
+} // namespace fff::cli
