@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     fabrication/cutting_order.cpp
     fabrication/digits.cpp
     fabrication/hand_placing.cpp
+    fabrication/fit_coupon.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp
     fabrication/machine.cpp

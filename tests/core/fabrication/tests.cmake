@@ -1,6 +1,7 @@
 fff_tests(tests_fabrication LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/fabrication/tst_hand_placing
     core/fabrication/tst_cutting_order
+    core/fabrication/tst_fit_coupon
     core/fabrication/tst_kerf
     core/fabrication/tst_kerf_oracle
     core/fabrication/tst_layout
