@@ -1,6 +1,10 @@
 #include "core/fabrication/cutting_drawing.h"
 
+#include "core/fabrication/machine.h"
+#include "core/geometry/turning.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -9,6 +13,18 @@ CubicBezier CuttingLine::segment(int index) const
     const CubicBezier own = segmentOf(index);
     return {m_placement->apply(own.p0), m_placement->apply(own.p1), m_placement->apply(own.p2),
             m_placement->apply(own.p3)};
+}
+
+bool CuttingPart::isAtSlit(const Vec2 &point, double room) const
+{
+    const Vec2 back(m_placement.turn.x(), -m_placement.turn.y());
+    const Vec2 own = turned(point - m_placement.offset, back);
+    const auto &joints = part().joints;
+    return std::any_of(joints.begin(), joints.end(), [&](const Part::JointMark &joint) {
+        const Vec2 off = own - joint.inner;
+        return off.dot(joint.direction) <= room &&
+               std::abs(cross(joint.direction, off)) <= 0.5 * joint.width + room;
+    });
 }
 
 std::size_t CuttingPart::pointCount() const
@@ -35,6 +51,7 @@ CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
         all.number = static_cast<int>(drawing.sheets.size());
         all.size = sheet.size;
         all.stock = sheet.stock;
+        all.finish = options.finish.value_or(machineOf(drawing).finish);
         all.parts.reserve(sheet.placements.size());
         for (const Placement &placement : sheet.placements) {
             const Part &part = source->parts[static_cast<std::size_t>(placement.part)];

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "core/base/tolerances.h"
+#include "core/fabrication/cut_finish.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/listed_part.h"
 #include "core/fabrication/marks.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -95,6 +97,9 @@ public:
     /// Its own, which too slim parts do not bear.
     bool hasNumber() const { return engraving() && engraving()->hasNumber; }
     bool hasLabel() const { return engraving() && !engraving()->strokes.isEmpty(); }
+    /// Whether the point of a sheet is at a slit: beside or before its bottom, with so much room,
+    /// mm. All the way from there in the slit's direction, so rather too often.
+    bool isAtSlit(const Vec2 &point, double room) const;
     /// As they are to be cut: what is drawn, holes, the outside.
     template <class Visit> // Visit(const CuttingLine &)
     void forLines(const Visit &visit) const;
@@ -121,6 +126,7 @@ struct CuttingSheet
     Vec2 size = Vec2::Zero(); // mm
     StockId stock;
     std::vector<CuttingPart> parts;
+    CutFinish finish; // of its cuts, as a machine follows them (cutting_order.h)
 };
 
 struct CuttingDrawing
@@ -138,6 +144,7 @@ struct DrawingOptions
     bool hasReference = true;
     bool isKerfApplied = false; // what `parts` are: outlines as designed, or compensated already
     std::shared_ptr<const Machine> machine = nullptr;
+    std::optional<CutFinish> finish = {}; // none: the machine's
 };
 
 /// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.

@@ -1,5 +1,6 @@
 #include "core/fabrication/cutting_order.h"
 
+#include "core/fabrication/opened_cuts.h"
 #include "core/geometry/arc_fit.h"
 #include "core/geometry/point_tree.h"
 #include "core/geometry/polygon.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -178,6 +180,30 @@ void reverse(ToolLine &line)
         curve = curve.reversed();
 }
 
+/// In place of each cut what is followed of it; these are kept in `opened`.
+void openCuts(const CuttingSheet &sheet, std::map<int, std::vector<ToolLine *>> &ranks,
+              std::vector<std::vector<ToolLine>> &opened)
+{
+    std::vector<const ToolLine *> cuts;
+    for (const auto &[rank, some] : ranks)
+        std::copy_if(some.begin(), some.end(), std::back_inserter(cuts),
+                     [](const ToolLine *line) { return isCut(*line); });
+    opened = openedCuts(cuts, sheet);
+    std::size_t next = 0;
+    for (auto &[rank, some] : ranks) {
+        std::vector<ToolLine *> all;
+        for (ToolLine *line : some) {
+            if (!isCut(*line)) {
+                all.push_back(line);
+                continue;
+            }
+            for (ToolLine &piece : opened[next++])
+                all.push_back(&piece);
+        }
+        some = std::move(all);
+    }
+}
+
 /// Moves the lines behind the others, nearest next; `at` is where the tool is, and will be.
 void addNearestNext(std::vector<ToolLine *> lines, Vec2 &at, std::vector<ToolLine> &ordered)
 {
@@ -226,6 +252,9 @@ std::vector<ToolLine> inCuttingOrder(const CuttingSheet &sheet, const Vec2 &from
     Followed followed;
     for (auto &[rank, some] : ranks)
         std::erase_if(some, [&](const ToolLine *line) { return !followed.isNew(*line); });
+    std::vector<std::vector<ToolLine>> opened;
+    if (!sheet.finish.isPlain())
+        openCuts(sheet, ranks, opened);
     std::vector<ToolLine> ordered;
     ordered.reserve(lines.size());
     Vec2 at = from;

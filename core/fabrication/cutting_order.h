@@ -31,6 +31,7 @@ std::vector<ToolLine> toolLines(const CuttingSheet &sheet);
 ///   lies in another one's hole before that hole
 ///   else the nearest next, from where the tool is; lines that are open from either end
 ///   none twice: of several lines with the same points, whichever way round, the first
+///   cuts by the sheet's finish (cut_finish.h): with tabs and leads they are several open lines
 ///
 /// from  where the tool is at first. Deterministic. As a rule O(n log n).
 std::vector<ToolLine> inCuttingOrder(const CuttingSheet &sheet, const Vec2 &from = Vec2::Zero());

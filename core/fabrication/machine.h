@@ -44,6 +44,7 @@ struct Machine
     double travel = 100.0;     // mm/s, where nothing is burnt
     bool hasGuides = true;     // whether it lets lines alone that are not to be burnt
     std::array<Process, kPurposes> processes;
+    CutFinish finish; // of cuts for it, where nothing else is asked for
     GCode gcode;
 
     Machine();

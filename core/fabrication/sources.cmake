@@ -6,16 +6,19 @@ target_sources(fff_core PRIVATE
     fabrication/fit_coupon.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp
+    fabrication/line_stations.cpp
     fabrication/machine.cpp
     fabrication/marked_lines.cpp
     fabrication/marks.cpp
     fabrication/nested_layout.cpp
     fabrication/open_sheets.cpp
+    fabrication/opened_cuts.cpp
     fabrication/outline_size.cpp
     fabrication/part_list.cpp
     fabrication/pins.cpp
     fabrication/parts.cpp
     fabrication/room.cpp
+    fabrication/shared_cuts.cpp
     fabrication/skyline.cpp
     fabrication/summary.cpp
     fabrication/wholeness.cpp

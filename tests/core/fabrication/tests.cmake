@@ -1,5 +1,6 @@
 fff_tests(tests_fabrication LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/fabrication/tst_hand_placing
+    core/fabrication/tst_cut_finish
     core/fabrication/tst_cutting_order
     core/fabrication/tst_fit_coupon
     core/fabrication/tst_kerf
