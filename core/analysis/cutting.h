@@ -19,6 +19,7 @@ struct DrawingExtras
 {
     bool hasReference = true; // a 100 mm bar beside the sheets, to check the printed size
     std::shared_ptr<const Machine> machine = nullptr; // that it is for; none: no particular one
+    std::optional<CutFinish> finish = {};             // none: the machine's
 };
 
 struct CuttingOptions : DrawingExtras

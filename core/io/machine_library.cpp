@@ -169,6 +169,23 @@ void readLayers(const JsonCursor &cursor, Machine &machine)
                 static_cast<int>(layer.integer(0, kLightBurnLayers - 1));
 }
 
+void readFinish(const JsonCursor &cursor, CutFinish &finish)
+{
+    ifThere(cursor, "tabs", [&](const JsonCursor &tabs) {
+        finish.tabs = static_cast<int>(tabs.integer(0, kMostTabs));
+    });
+    ifThere(cursor, "tabWidth", [&](const JsonCursor &width) {
+        finish.tabWidth = within(width, kLeastTabWidth, kMostTabWidth,
+                                 QT_TRANSLATE_NOOP("Error", "a width of tabs in mm"));
+    });
+    ifThere(cursor, "lead", [&](const JsonCursor &lead) {
+        finish.lead =
+            within(lead, 0.0, kMostLead, QT_TRANSLATE_NOOP("Error", "a length of leads in mm"));
+    });
+    ifThere(cursor, "sharesCuts",
+            [&](const JsonCursor &shares) { finish.sharesCuts = shares.truth(); });
+}
+
 /// colours  all of the file's
 void readColoursNamed(const JsonCursor &name, const JsonCursor &colours, Machine &machine)
 {
@@ -190,6 +207,8 @@ Machine readMachine(const JsonCursor &cursor, const JsonCursor &colours)
     ifThere(cursor, "speeds", [&](const JsonCursor &speeds) { readSpeeds(speeds, machine); });
     ifThere(cursor, "powers", [&](const JsonCursor &powers) { readPowers(powers, machine); });
     ifThere(cursor, "layers", [&](const JsonCursor &layers) { readLayers(layers, machine); });
+    ifThere(cursor, "finish",
+            [&](const JsonCursor &finish) { readFinish(finish, machine.finish); });
     ifThere(cursor, "gcode", [&](const JsonCursor &gcode) { readGCode(gcode, machine.gcode); });
     return machine;
 }

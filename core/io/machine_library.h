@@ -20,7 +20,8 @@ namespace fff::io {
 ///             machine burns what it is given, so nothing else is in its files); stroke, mm
 ///   machines  key, name, bed [width, height] mm, colours (a NAME). As they are usual where not
 ///             said: speeds {engrave, score, cut, travel} mm/s; powers {engrave, score, cut}
-///             0 … 1; layers of LightBurn by purpose, 0 … 31; gcode {head, sheet, foot: lists of
+///             0 … 1; layers of LightBurn by purpose, 0 … 31; finish
+///             {tabs, tabWidth mm, lead mm, sharesCuts} of cuts; gcode {head, sheet, foot: lists of
 ///             lines; on, off; mostPower}
 ///
 /// Members of other names are passed over. At most 1000 machines of 100 lines of G-code.

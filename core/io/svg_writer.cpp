@@ -1,5 +1,6 @@
 #include "core/io/svg_writer.h"
 
+#include "core/fabrication/cutting_order.h"
 #include "core/fabrication/machine.h"
 #include "core/io/drawing_text.h"
 #include "core/io/stacked_sheets.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace fff::io {
 
@@ -61,6 +63,19 @@ void addDrawn(const CuttingLine &line, const Transform &transform, DrawingText &
         out << " Z";
 }
 
+void addFollowed(const ToolLine &line, const Transform &transform, DrawingText &out)
+{
+    out.addPoint<Decimals::Six>("M ", transform(line.start()));
+    for (const CubicBezier &curve : line.curves) {
+        if (curve.isStraight(2.0 * kClipGrid))
+            out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
+        else
+            addCurve(curve, transform, out);
+    }
+    if (line.isClosed)
+        out << " Z";
+}
+
 void addLabel(const CuttingPart &part, const Transform &transform, DrawingText &out)
 {
     std::string_view start = "M ";
@@ -107,8 +122,9 @@ bool isCut(LineRole role)
     return role == LineRole::InnerCut || role == LineRole::OuterCut;
 }
 
-void addPart(const CuttingPart &part, const Transform &transform, const SvgColours &colours,
-             DrawingText &out)
+/// followed  the part's lines, where they are not as they are drawn; else none
+void addPart(const CuttingPart &part, const std::vector<ToolLine> &followed,
+             const Transform &transform, const SvgColours &colours, DrawingText &out)
 {
     const auto path = [&](Purpose purpose, const auto &addShape) {
         out << "      <path stroke=\"" << colours.of(purpose) << "\" d=\"";
@@ -119,7 +135,12 @@ void addPart(const CuttingPart &part, const Transform &transform, const SvgColou
         << escaped(part.name()) << "</title>\n";
     if (part.hasLabel())
         path(Purpose::Number, [&] { addLabel(part, transform, out); });
+    for (const ToolLine &line : followed)
+        if (line.purpose != Purpose::Number)
+            path(line.purpose, [&] { addFollowed(line, transform, out); });
     part.forLines([&](const CuttingLine &line) {
+        if (!followed.empty())
+            return;
         path(purposeOf(line.role()), [&] {
             if (isCut(line.role()))
                 addCut(line, transform, out);
@@ -140,6 +161,16 @@ void addMetadata(const CuttingDrawing &drawing, DrawingText &out)
             << stock.thickness << "\" clearance=\"" << stock.clearance << "\" kerf=\"" << stock.kerf
             << "\" unit=\"mm\"/>\n";
     out << "    </fff:cutting>\n  </metadata>\n";
+}
+
+/// Of each part, where cuts have tabs, leads or neighbours to share with; else empty.
+std::vector<std::vector<ToolLine>> followedLines(const CuttingSheet &sheet)
+{
+    std::vector<std::vector<ToolLine>> lines(sheet.parts.size());
+    if (!sheet.finish.isPlain())
+        for (ToolLine &line : inCuttingOrder(sheet))
+            lines[line.part].push_back(std::move(line));
+    return lines;
 }
 
 /// Width and height of the drawing.
@@ -187,8 +218,9 @@ std::string writeSvg(const CuttingDrawing &drawing)
             << "\" fill=\"none\" stroke-width=\"" << machine.stroke << "\">\n";
         if (machine.hasGuides && drawing.sheets.size() > 1)
             addRectangle({0.0, top}, sheet.size, colours, out);
-        for (const CuttingPart &part : sheet.parts)
-            addPart(part, Transform(top + sheet.size.y()), colours, out);
+        const std::vector<std::vector<ToolLine>> followed = followedLines(sheet);
+        for (std::size_t i = 0; i < sheet.parts.size(); ++i)
+            addPart(sheet.parts[i], followed[i], Transform(top + sheet.size.y()), colours, out);
         out << "  </g>\n";
         top += sheet.size.y() + kSheetGap;
     }

@@ -55,6 +55,7 @@ void TestMachineLibrary::aMachineSaysAllOrLittle()
                          {"key": "b", "name": "B", "bed": [300, 200], "colours": "c",
                           "speeds": {"cut": 4, "travel": 50}, "powers": {"engrave": 0.1},
                           "layers": {"outerCut": 9},
+                          "finish": {"tabs": 4, "tabWidth": 0.5, "lead": 2, "sharesCuts": true},
                           "gcode": {"head": ["G21", "$H"], "on": "M3", "mostPower": 255}}]})",
         "own.json");
     QVERIFY2(read, read ? "" : qPrintable(io::errorText(read.error())));
@@ -70,6 +71,7 @@ void TestMachineLibrary::aMachineSaysAllOrLittle()
     QCOMPARE(own.gcode.head, (std::vector<std::string>{"G21", "$H"}));
     QCOMPARE(own.gcode.foot, usualMachine().gcode.foot);
     QCOMPARE(own.gcode.mostPower, 255.0);
+    QVERIFY(own.finish == (CutFinish{4, 0.5, 2.0, true}) && plain.finish.isPlain());
 }
 
 void TestMachineLibrary::whatIsWrongIsSaidWithItsPlace_data()
@@ -97,6 +99,10 @@ void TestMachineLibrary::whatIsWrongIsSaidWithItsPlace_data()
     row("two lines in one", R"({"key": "a", "name": "A", "gcode": {"head": ["G21\nM3 S1000"]}})",
         "own.json:$.machines[0].gcode.head[0]: ");
     row("no bed", R"({"key": "a", "name": "A", "bed": [0, 100]})", "own.json:$.machines[0].bed: ");
+    row("half a tab", R"({"key": "a", "name": "A", "finish": {"tabs": 0.5}})",
+        "own.json:$.machines[0].finish.tabs: ");
+    row("tabs without width", R"({"key": "a", "name": "A", "finish": {"tabWidth": 0}})",
+        "own.json:$.machines[0].finish.tabWidth: ");
     QTest::newRow("no JSON") << QByteArray("{\"machines\": [}") << u"own.json:1: "_s;
 }
 
