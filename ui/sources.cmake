@@ -42,6 +42,7 @@ target_sources(fff_ui PRIVATE
     cards/thumbnails.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
+    dialogs/cut_rows.cpp
     dialogs/cutting_work.cpp
     dialogs/export_choices.cpp
     dialogs/export_dialog.cpp

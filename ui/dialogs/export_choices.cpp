@@ -16,6 +16,10 @@ const QString kSpacingKey = QStringLiteral("export/spacing"),
     kTurningKey = QStringLiteral("export/turning"), kHolesKey = QStringLiteral("export/fillsHoles"),
               kReferenceKey = QStringLiteral("export/reference"),
               kMachineKey = QStringLiteral("export/machine"),
+              kTabsKey = QStringLiteral("export/bridges"),
+              kTabWidthKey = QStringLiteral("export/bridgeWidth"),
+              kLeadKey = QStringLiteral("export/lead"),
+              kSharesKey = QStringLiteral("export/sharesCuts"),
               kFolderKey = QStringLiteral("export/opensFolder"),
               kFileKey = QStringLiteral("export/file");
 
@@ -46,6 +50,18 @@ nest::Turning turningKept()
     return switchKept(kTurnsKey, true) ? nest::Turning::Free : nest::Turning::Quarter;
 }
 
+CutFinish finishKept()
+{
+    const CutFinish usual;
+    CutFinish finish;
+    finish.tabs = static_cast<int>(lengthKept(kTabsKey, usual.tabs, kMostTabs));
+    finish.tabWidth =
+        std::max(kLeastTabWidth, lengthKept(kTabWidthKey, usual.tabWidth, kMostTabWidth));
+    finish.lead = lengthKept(kLeadKey, usual.lead, kMostLead);
+    finish.sharesCuts = switchKept(kSharesKey, usual.sharesCuts);
+    return finish;
+}
+
 } // namespace
 
 NestOptions ExportChoices::nesting() const
@@ -63,6 +79,8 @@ CuttingOptions ExportChoices::cutting() const
     options.layout = layout;
     options.nesting = nesting();
     options.hasReference = hasReference;
+    if (!finish.isPlain())
+        options.finish = finish;
     for (const auto &one : io::machineLibrary())
         if (QString::fromStdString(one->key) == machine)
             options.machine = one;
@@ -77,6 +95,7 @@ ExportChoices rememberedChoices()
     choices.turning = turningKept();
     choices.fillsHoles = switchKept(kHolesKey, choices.fillsHoles);
     choices.hasReference = switchKept(kReferenceKey, choices.hasReference);
+    choices.finish = finishKept();
     choices.machine = settings().memory(kMachineKey).toString();
     choices.opensFolder = switchKept(kFolderKey, choices.opensFolder);
     choices.file = settings().memory(kFileKey).toString();
@@ -91,6 +110,10 @@ void rememberChoices(const ExportChoices &choices)
                          QLatin1String(kTurnings[static_cast<std::size_t>(choices.turning)]));
     settings().setMemory(kHolesKey, choices.fillsHoles);
     settings().setMemory(kReferenceKey, choices.hasReference);
+    settings().setMemory(kTabsKey, choices.finish.tabs);
+    settings().setMemory(kTabWidthKey, choices.finish.tabWidth);
+    settings().setMemory(kLeadKey, choices.finish.lead);
+    settings().setMemory(kSharesKey, choices.finish.sharesCuts);
     settings().setMemory(kMachineKey, choices.machine);
     settings().setMemory(kFolderKey, choices.opensFolder);
     settings().setMemory(kFileKey, choices.file);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/cutting.h"
+#include "core/fabrication/cut_finish.h"
 
 #include <QString>
 
@@ -27,7 +28,8 @@ struct ExportChoices
     nest::Turning turning = nest::Turning::Free;
     bool fillsHoles = true; // parts lie in holes of others
     bool hasReference = true;
-    QString machine; // key in the library (core/io/machine_library.h); empty: none in particular
+    CutFinish finish; // plain: as the machine has it
+    QString machine;  // key in the library (core/io/machine_library.h); empty: none in particular
     bool opensFolder = false; // afterwards
     QString file;             // key; empty: the first there is
 

@@ -1,6 +1,7 @@
 #include "ui/dialogs/export_rows.h"
 
 #include "core/io/machine_library.h"
+#include "ui/dialogs/cut_rows.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/property_rows.h"
@@ -21,6 +22,7 @@ ExportRows::ExportRows(StockEdits &stocks, ExportChoices &choices, QWidget *pare
     column->setSpacing(0);
     column->addWidget(makeFit());
     column->addWidget(makeLayout());
+    column->addWidget(makeCuts());
     PropertyRow::alignLabels(m_rows);
     connect(&stocks, &StockEdits::changed, this, &ExportRows::refresh);
     refresh();
@@ -49,13 +51,18 @@ PropertyGroup *ExportRows::makeFit()
     PropertyRow *kerf =
         addOfStock(group, tr("Kerf width (full)"), "exportKerf", 0.0, 5.0, &Stock::kerf);
     addOfStock(group, tr("Slit clearance"), "exportClearance", -1.0, 1.0, &Stock::clearance);
+    PropertyRow *fitted = fittedSlitRow(
+        [this] { return m_stocks.stock().clearance; },
+        [this](double mm) { m_stocks.edit([mm](Stock &stock) { stock.clearance = mm; }); }, group);
+    group->add(fitted);
+    m_rows.push_back(fitted);
     auto *drawn = new TextRow(
         tr("Drawn slit width"), "exportSlitWidth",
         [this] { return drawnSlitText(m_stocks.stock(), locale()); }, group);
     drawn->setToolTip(drawnSlitTip());
     group->add(drawn);
     m_rows.push_back(drawn);
-    m_ofSheets.insert(m_ofSheets.end(), {kerf, drawn});
+    m_ofSheets.insert(m_ofSheets.end(), {kerf, fitted, drawn});
     return group;
 }
 
@@ -133,6 +140,15 @@ PropertyGroup *ExportRows::makeLayout()
     PropertyRow *machine = makeMachine(group);
     group->add(machine);
     m_rows.push_back(machine);
+    m_ofSheets.push_back(group);
+    return group;
+}
+
+PropertyGroup *ExportRows::makeCuts()
+{
+    auto *group = new PropertyGroup(tr("Cuts"), this);
+    for (PropertyRow *row : addCutRows(group, m_choices.finish, [this] { Q_EMIT layoutChanged(); }))
+        m_rows.push_back(row);
     m_ofSheets.push_back(group);
     return group;
 }

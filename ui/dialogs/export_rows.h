@@ -32,6 +32,7 @@ Q_SIGNALS:
 private:
     PropertyGroup *makeFit();
     PropertyGroup *makeLayout();
+    PropertyGroup *makeCuts();
     PropertyRow *makeMachine(PropertyGroup *group);
     PropertyRow *addOfStock(PropertyGroup *group, const QString &name, const char *objectName,
                             double least, double most, double Stock::*value);

@@ -228,6 +228,7 @@ void TestExportDialog::choicesAreKept()
     inExportPanel(*m_window, [&](QDialog *dialog) {
         typeInto(dialog, "exportSpacing", QStringLiteral("4"));
         typeInto(dialog, "exportMargin", QStringLiteral("12"));
+        typeInto(dialog, "exportBridges", QStringLiteral("2"));
         auto *rotation = dialog->findChild<QComboBox *>(QStringLiteral("exportRotation"));
         rotation->setFocus();
         QTest::keyClick(rotation, Qt::Key_End);
@@ -248,6 +249,7 @@ void TestExportDialog::choicesAreKept()
         };
         QCOMPARE(value("exportSpacing"), 4.0);
         QCOMPARE(value("exportMargin"), 12.0);
+        QCOMPARE(value("exportBridges"), 2.0);
         QCOMPARE(dialog->findChild<QComboBox *>(QStringLiteral("exportRotation"))->currentIndex(),
                  3);
         QVERIFY(!dialog->findChild<QCheckBox *>(QStringLiteral("exportReference"))->isChecked());

@@ -1,0 +1,111 @@
+#include "ui/dialogs/cut_rows.h"
+
+#include "core/fabrication/fit_coupon.h"
+#include "ui/base/lengths.h"
+#include "ui/properties/number_edit.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct CutRowsTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::CutRows)
+};
+
+constexpr NumberEdit::Range kTabCount{0.0, kMostTabs, 1.0, 0, 0};
+constexpr LengthEdit::Range kTabWidthRange{kLeastTabWidth, kMostTabWidth, 0.1, 1, 2},
+    kLeadRange{0.0, kMostLead, 0.5, 1, 2};
+
+LengthRow *finishLength(PropertyGroup *group, CutFinish &finish, const QString &name,
+                        const char *objectName, const LengthEdit::Range &range,
+                        double CutFinish::*value, const std::function<void()> &changed)
+{
+    auto *row = new LengthRow(
+        name, objectName, range, [&finish, value] { return std::optional(finish.*value); },
+        [&finish, value, changed](double mm) {
+            finish.*value = mm;
+            changed();
+        },
+        group);
+    group->add(row);
+    return row;
+}
+
+/// Of a stock without clearance.
+QString slitNumberText(int number)
+{
+    const double clearance = clearanceOfSlit(number);
+    const QString length = lengthText(std::abs(clearance), 2, 2, QLocale());
+    if (clearance == 0.0)
+        //: %1 is the number of a slit
+        return CutRowsTexts::tr("%1: as wide as the stock is thick").arg(number);
+    //: %1 is the number of a slit, %2 a length
+    return clearance < 0.0
+               ? CutRowsTexts::tr("%1: %2 narrower").arg(QString::number(number), length)
+               : CutRowsTexts::tr("%1: %2 wider").arg(QString::number(number), length);
+}
+
+} // namespace
+
+std::vector<PropertyRow *> addCutRows(PropertyGroup *group, CutFinish &finish,
+                                      const std::function<void()> &changed)
+{
+    auto *count = new NumberEdit(kTabCount, QString(), group);
+    auto *tabs = new EditorRow(
+        CutRowsTexts::tr("Bridges"), "exportBridges", count,
+        [&finish, count] { count->setNumber(finish.tabs); }, group);
+    tabs->setToolTip(CutRowsTexts::tr("So many short gaps in each part's cut hold it in its sheet; "
+                                      "0: none"));
+    QObject::connect(count, &NumberEdit::numberEdited, group, [&finish, changed](double number) {
+        finish.tabs = static_cast<int>(std::lround(number));
+        changed();
+    });
+    group->add(tabs);
+    LengthRow *width =
+        finishLength(group, finish, CutRowsTexts::tr("Width of bridges"), "exportBridgeWidth",
+                     kTabWidthRange, &CutFinish::tabWidth, changed);
+    LengthRow *lead = finishLength(group, finish, CutRowsTexts::tr("Run-in of cuts"), "exportLead",
+                                   kLeadRange, &CutFinish::lead, changed);
+    lead->setToolTip(CutRowsTexts::tr("Each cut begins and ends so far beside its line, in the "
+                                      "waste; 0: on the line"));
+    auto *box = new QCheckBox(CutRowsTexts::tr("cut once"));
+    auto *shared = new EditorRow(
+        CutRowsTexts::tr("Shared edges"), "exportSharedCuts", box,
+        [&finish, box] { box->setChecked(finish.sharesCuts); }, group);
+    shared->setToolTip(
+        CutRowsTexts::tr("Of parts that lie against each other, where the spacing is 0"));
+    QObject::connect(box, &QCheckBox::clicked, group, [&finish, changed](bool isOn) {
+        finish.sharesCuts = isOn;
+        changed();
+    });
+    group->add(shared);
+    return {tabs, width, lead, shared};
+}
+
+PropertyRow *fittedSlitRow(const std::function<double()> &clearance,
+                           const std::function<void(double)> &write, QWidget *parent)
+{
+    auto *row = new ChoiceRow(
+        CutRowsTexts::tr("Slit that fitted"), "exportFittedSlit",
+        [clearance] {
+            Choices choices;
+            for (int number = 1; number <= kCouponSlits; ++number)
+                choices.all.push_back({slitNumberText(number), {}});
+            choices.current = slitOfClearance(clearance()) - 1;
+            return choices;
+        },
+        [write](int choice) { write(clearanceOfSlit(choice + 1)); }, parent);
+    row->setToolTip(CutRowsTexts::tr(
+        "Its number on a fit coupon, which is among the files for the workshop: sets the "
+        "clearance"));
+    return row;
+}
+
+} // namespace fff::ui

@@ -1,0 +1,24 @@
+// How cuts begin and end, as rows of the Export panel.
+#pragma once
+
+#include "core/fabrication/cut_finish.h"
+#include "core/model/stock.h"
+#include "ui/properties/property_rows.h"
+
+#include <functional>
+#include <vector>
+
+namespace fff::ui {
+
+/// Adds tabs, their width, leads and common lines to the group; all rows that are refreshed.
+/// finish   changed as a person chooses; it outlives the rows
+/// changed  called after that
+std::vector<PropertyRow *> addCutRows(PropertyGroup *group, CutFinish &finish,
+                                      const std::function<void()> &changed);
+
+/// The slit of a fit coupon that fitted (core/fabrication/fit_coupon.h): what is chosen is written
+/// as the clearance.
+PropertyRow *fittedSlitRow(const std::function<double()> &clearance,
+                           const std::function<void(double)> &write, QWidget *parent);
+
+} // namespace fff::ui
