@@ -2,6 +2,7 @@ target_sources(fff_io PRIVATE
     archive.cpp
     blobs.cpp
     compressed.cpp
+    coupon_words.cpp
     cutting_file.cpp
     document_file.cpp
     drawing_text.cpp

@@ -1,6 +1,8 @@
 #include "core/io/workshop_archive.h"
 
+#include "core/fabrication/fit_coupon.h"
 #include "core/io/archive.h"
+#include "core/io/coupon_words.h"
 #include "core/io/parts_csv.h"
 #include "core/io/png_writer.h"
 
@@ -49,6 +51,24 @@ Result<void> addWays(const Format &format, const CuttingDrawing &drawing,
     return {};
 }
 
+/// In the usual way of each format of drawings. None where there can be no coupon: the sheets are
+/// what was asked for.
+Result<void> addCoupon(const CuttingDrawing &drawing, std::vector<WorkshopFile> &files)
+{
+    const auto coupon = fitCoupon(drawing.stocks, drawing.machine, couponWords());
+    if (!coupon)
+        return {};
+    for (const Format *format : formatsThat(&Format::writesCutting)) {
+        if (format == &workshopFormat() || format == &pngFormat() || format == &partsCsvFormat())
+            continue;
+        Result<std::string> bytes = format->writeCutting(*coupon, {});
+        if (!bytes)
+            return tl::unexpected(std::move(bytes.error()));
+        files.push_back({std::string("coupon.") + format->suffixes.front(), *std::move(bytes)});
+    }
+    return {};
+}
+
 } // namespace
 
 Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing)
@@ -60,6 +80,8 @@ Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing)
         if (const Result<void> added = addWays(*format, drawing, files); !added)
             return tl::unexpected(added.error());
     }
+    if (const Result<void> added = addCoupon(drawing, files); !added)
+        return tl::unexpected(added.error());
     std::vector<PackedEntry> entries;
     for (const WorkshopFile &file : files)
         entries.push_back({file.name, file.bytes});

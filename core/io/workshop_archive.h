@@ -10,8 +10,9 @@ namespace fff::io {
 
 /// A ZIP with the sheets as every format of cutting files has them (formats.h) but pictures and
 /// this one, under "sheets.SUFFIX", also in the ways that have titles of their own
-/// ("sheets-a4.pdf"), and the list of parts as "parts.csv". Same bytes for same input.
-/// Errors  those of the formats; BadCount for more than a packed file holds.
+/// ("sheets-a4.pdf"), and the list of parts as "parts.csv"; a fit coupon of
+/// its stocks, where there can be one, as "coupon.SUFFIX" (fit_coupon.h). Same bytes for same
+/// input. Errors  those of the formats; BadCount for more than a packed file holds.
 Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing);
 
 const Format &workshopFormat();

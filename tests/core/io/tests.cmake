@@ -18,6 +18,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_svg_writer
     core/io/tst_template_files
     core/io/tst_warning_summary
+    core/io/tst_workshop_files
     ALONE
         core/io/tst_flatfab_models)
 
