@@ -58,6 +58,7 @@ target_sources(fff_io PRIVATE
     stacked_sheets.cpp
     stl_reader.cpp
     stl_writer.cpp
+    stock_file.cpp
     svg_clip.cpp
     svg_format.cpp
     svg_path.cpp

@@ -1,7 +1,9 @@
 #include "ui/dialogs/stock_list.h"
 
+#include "core/io/stock_file.h"
 #include "core/model/edits.h"
 #include "core/model/materials.h"
+#include "ui/base/file_dialog.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/bench/workbench.h"
@@ -16,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
@@ -55,6 +58,10 @@ StockList::StockList(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     m_add->setMenu(m_presets);
     m_copy = button(this, "stockCopy", "duplicate", tr("Duplicate"));
     m_copy->setToolTip(tr("Add a stock with the same numbers"));
+    m_save = button(this, "stockSave", "save", QString());
+    m_save->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_save->setToolTip(tr("Save this stock in a file, for other models and other people"));
+    m_save->setAccessibleName(tr("Save the stock in a file"));
     m_remove = button(this, "stockRemove", "trash", QString());
     m_remove->setToolButtonStyle(Qt::ToolButtonIconOnly);
     m_remove->setAccessibleName(tr("Remove the stock"));
@@ -66,6 +73,7 @@ StockList::StockList(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     buttons->addWidget(m_add);
     buttons->addWidget(m_copy);
     buttons->addStretch(1);
+    buttons->addWidget(m_save);
     buttons->addWidget(m_remove);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -85,6 +93,7 @@ StockList::StockList(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
         if (const Stock *stock = m_bench.session().committed().document.find(current()))
             add(*stock, true);
     });
+    connect(m_save, &QToolButton::clicked, this, &StockList::saveToFile);
     connect(m_remove, &QToolButton::clicked, this, [this] {
         const Document &document = m_bench.session().committed().document;
         for (const auto &stock : document.stocks) {
@@ -172,6 +181,41 @@ void StockList::fillAddMenu()
     for (const Material &material : materials())
         offer(material.stock);
     offer(flatfabAcrylic());
+    m_presets->addSeparator();
+    connect(m_presets->addAction(tr("From a file…")), &QAction::triggered, this,
+            &StockList::addFromFile);
+}
+
+/// Of any model: that of its next section.
+void StockList::addFromFile()
+{
+    FileDialog dialog(window(), tr("Add a stock from a file"), documentsFolder(),
+                      tr("FlatFitFab models (%1)").arg(QStringLiteral("*.fff")));
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    Result<Stock> stock = io::readStock(dialog.selectedFiles().constFirst());
+    if (stock)
+        add(*std::move(stock), false);
+    else
+        Q_EMIT m_bench.editFailed(stock.error());
+}
+
+void StockList::saveToFile()
+{
+    const Stock *stock = m_bench.session().committed().document.find(current());
+    if (!stock)
+        return;
+    FileDialog dialog(window(), tr("Save the stock in a file"), documentsFolder(),
+                      tr("FlatFitFab models (%1)").arg(QStringLiteral("*.fff")));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("fff"));
+    dialog.selectFile(stockName(*stock) + QStringLiteral(".fff"));
+    const QString path = dialog.target();
+    if (path.isEmpty())
+        return;
+    if (const Result<void> written = io::writeStock(path, *stock); !written)
+        Q_EMIT m_bench.editFailed(written.error());
 }
 
 void StockList::fillRemoveMenu()

@@ -34,12 +34,14 @@ private:
     void fillRemoveMenu();
     void add(Stock stock, bool asksForName);
     void remove(StockId replacement);
+    void addFromFile();
+    void saveToFile();
     std::string freeName(const std::string &name) const;
     int useCount(StockId stock) const;
 
     Workbench &m_bench;
     QListWidget *m_list = nullptr;
-    QToolButton *m_add = nullptr, *m_copy = nullptr, *m_remove = nullptr;
+    QToolButton *m_add = nullptr, *m_copy = nullptr, *m_save = nullptr, *m_remove = nullptr;
     QMenu *m_presets = nullptr, *m_replacements = nullptr;
     bool m_isFilling = false;
 };

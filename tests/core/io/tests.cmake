@@ -14,6 +14,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_machine_library
     core/io/tst_mesh_readers
     core/io/tst_obj_writer
+    core/io/tst_stock_file
     core/io/tst_svg_reader
     core/io/tst_svg_writer
     core/io/tst_template_files
