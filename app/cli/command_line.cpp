@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include "core/io/error_text.h"
+#include "core/io/stock_file.h"
 #include "core/io/warning_summary.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
@@ -97,7 +98,15 @@ std::optional<Stock> stockNamed(const Document &document, const QString &name)
 /// Every section onto one stock: `--stock`.
 std::optional<int> applyStock(Document &document, const QString &name, const Verb &verb)
 {
-    const std::optional<Stock> stock = stockNamed(document, name);
+    std::optional<Stock> stock;
+    if (name.endsWith(QStringLiteral(".fff"), Qt::CaseInsensitive)) {
+        const Result<Stock> read = io::readStock(name);
+        if (!read)
+            return report(read.error());
+        stock = *read;
+    } else {
+        stock = stockNamed(document, name);
+    }
     if (!stock)
         return wrongUse(
             verb,
@@ -235,7 +244,7 @@ void addDocumentOptions(QCommandLineParser &parser)
         parser.addOption({QLatin1String(name), text, QLatin1String(value)});
     };
     add("thickness", tr("Thickness of every stock."), "MM");
-    add("stock", tr("Cuts every section from this stock."), "NAME");
+    add("stock", tr("Cuts every section from this stock, or from that of a .fff file."), "NAME");
     add("kerf", tr("Full width that the machine removes."), "MM");
     add("clearance", tr("Play added to slits; less than 0 for a press fit."), "MM");
     add("sheet", tr("Size of a sheet, such as 600x400."), "WxH");

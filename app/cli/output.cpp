@@ -1,5 +1,6 @@
 #include "app/cli/output.h"
 
+#include "app/cli/cut_options.h"
 #include "app/cli/info.h"
 #include "core/analysis/plan_checks.h"
 #include "core/fabrication/cutting_order.h"
@@ -102,6 +103,7 @@ std::optional<io::CuttingFileOptions> cuttingOptions(const QCommandLineParser &p
         else
             why = tr("--machine: %1").arg(io::errorText(found.error()));
     }
+    options.finish = finishAsked(parser, options.machine.get(), why);
     if (options.isFilePerSheet && parser.value(QStringLiteral("output")) == QStringLiteral("-"))
         why = tr("--sheets files needs a name: standard output is one file only.");
     return why.isEmpty() ? std::optional(options) : std::nullopt;
@@ -325,6 +327,7 @@ void addOutputOptions(QCommandLineParser &parser)
          //: %1 are ends of names, such as "obj or stl"
          tr("Writes the form that the sections suggest, as a surface (%1), in place of the solids.")
              .arg(suffixes(QString(), &io::Format::writesSkins))});
+    addCutOptions(parser);
     addFormatOptions(parser, io::FormatOption::Of::Writing);
 }
 
@@ -343,6 +346,9 @@ QString whyNoOutput(const QCommandLineParser &parser)
     if (parser.isSet(QStringLiteral("skin")) && !formatOf(parser)->writesSkins())
         return tr("--skin: this kind of file cannot hold it; expected %1.")
             .arg(suffixes(QStringLiteral("."), &io::Format::writesSkins));
+    if (parser.isSet(QStringLiteral("coupon")) && !formatOf(parser)->writesCutting())
+        return tr("--coupon: this kind of file cannot hold it; expected %1.")
+            .arg(suffixes(QStringLiteral("."), &io::Format::writesCutting));
     QString why;
     cuttingOptions(parser, why);
     return why;
@@ -360,6 +366,12 @@ int writeOutput(const QCommandLineParser &parser, const Verb &verb, const Docume
     if (parser.isSet(QStringLiteral("skin")) ||
         (wish.format.isExported() && !wish.format.writesCutting() && !wish.format.writesSolids()))
         return writeSkin(wish, document, input);
+    if (parser.isSet(QStringLiteral("coupon"))) {
+        QString why; // nothing: whyNoOutput has looked
+        const auto options = cuttingOptions(parser, why);
+        return writeCoupon(wish.format, wish.values, wish.path, document,
+                           options ? options->machine : nullptr);
+    }
     if (wish.format.writesCutting())
         return writeCuttingFile(parser, wish, document, input);
     if (wish.format.writesSolids())
