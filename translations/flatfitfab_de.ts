@@ -3386,6 +3386,21 @@
     </message>
 </context>
 <context>
+    <name>Coupon</name>
+    <message>
+        <source>Slits to try</source>
+        <translation>Schlitze zum Probieren</translation>
+    </message>
+    <message>
+        <source>Strip to push in</source>
+        <translation>Streifen zum Hineinstecken</translation>
+    </message>
+    <message>
+        <source>Slat to measure</source>
+        <translation>Leiste zum Messen</translation>
+    </message>
+</context>
+<context>
     <name>Cue</name>
     <message>
         <source>Wait</source>
@@ -4518,6 +4533,16 @@
     <message>
         <source>none, half, quarter or free</source>
         <translation>none, half, quarter oder free</translation>
+        <source>a larger sheet</source>
+        <translation>eine größere Platte</translation>
+    </message>
+    <message>
+        <source>a width of tabs in mm</source>
+        <translation>eine Breite von Stegen in mm</translation>
+    </message>
+    <message>
+        <source>a length of leads in mm</source>
+        <translation>eine Länge von Anschnitten in mm</translation>
     </message>
 </context>
 <context>
@@ -7623,10 +7648,6 @@
         <translation>Dicke jedes Materials.</translation>
     </message>
     <message>
-        <source>Cuts every section from this stock.</source>
-        <translation>Schneidet jede Scheibe aus diesem Material.</translation>
-    </message>
-    <message>
         <source>Full width that the machine removes.</source>
         <translation>Ganze Breite, die die Maschine wegnimmt.</translation>
     </message>
@@ -8321,6 +8342,42 @@
         <source>Lays parts by their true outlines, searching for so many seconds; 0 takes the first layout (by their boxes).</source>
         <translation>Legt Teile nach ihren wahren Umrissen aus und sucht so viele Sekunden; 0 nimmt die erste Anordnung (nach ihren Rechtecken).</translation>
     </message>
+    <message>
+        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>Schlitze 1 bis %1 haben ein Spiel von %2 bis %3 mm: den Streifen hineinstecken und dem Material das Spiel des Schlitzes geben, der passt.</translation>
+    </message>
+    <message>
+        <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
+        <translation>Alle %1 Leisten zusammenschieben: Was ihrer Breite an %2 mm fehlt, geteilt durch %1, ist die Schnittfuge.</translation>
+    </message>
+    <message>
+        <source>Bridges that hold each part in its sheet, and their width in mm, such as 3:0.4 (none).</source>
+        <translation>Stege, die jedes Teil in seiner Platte halten, und ihre Breite in mm, etwa 3:0.4 (keine).</translation>
+    </message>
+    <message>
+        <source>Begins and ends each cut so far beside its line, in the waste (0).</source>
+        <translation>Beginnt und beendet jeden Schnitt so weit neben seiner Linie, im Abfall (0).</translation>
+    </message>
+    <message>
+        <source>Cuts edges of two parts that lie on each other once; with --spacing 0.</source>
+        <translation>Schneidet Kanten zweier Teile, die aufeinander liegen, nur einmal; mit --spacing 0.</translation>
+    </message>
+    <message>
+        <source>Writes a test piece in place of the parts: slits of numbered widths, and slats that tell the kerf.</source>
+        <translation>Schreibt statt der Teile ein Probestück: Schlitze mit nummerierten Breiten und Leisten, die die Schnittfuge verraten.</translation>
+    </message>
+    <message>
+        <source>--tabs: found &quot;%1&quot;, expected a number from 0 to %2, then a colon and a width from %3 to %4.</source>
+        <translation>--tabs: gefunden: „%1“, erwartet: eine Zahl von 0 bis %2, dann ein Doppelpunkt und eine Breite von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>--coupon: this kind of file cannot hold it; expected %1.</source>
+        <translation>--coupon: Diese Art Datei kann es nicht enthalten; erwartet: %1.</translation>
+    </message>
+    <message>
+        <source>Cuts every section from this stock, or from that of a .fff file.</source>
+        <translation>Schneidet jede Scheibe aus diesem Material oder aus dem einer .fff-Datei.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -8755,6 +8812,63 @@
     <message>
         <source>Try another word</source>
         <translation>Ein anderes Wort dafür versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::CutRows</name>
+    <message>
+        <source>%1: as wide as the stock is thick</source>
+        <extracomment>%1 is the number of a slit</extracomment>
+        <translation>%1: so breit, wie das Material dick ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 narrower</source>
+        <extracomment>%1 is the number of a slit, %2 a length</extracomment>
+        <translation>%1: %2 schmaler</translation>
+    </message>
+    <message>
+        <source>%1: %2 wider</source>
+        <translation>%1: %2 breiter</translation>
+    </message>
+    <message>
+        <source>Bridges</source>
+        <translation>Stege</translation>
+    </message>
+    <message>
+        <source>So many short gaps in each part&apos;s cut hold it in its sheet; 0: none</source>
+        <translation>So viele kurze Lücken im Schnitt jedes Teils halten es in seiner Platte; 0: keine</translation>
+    </message>
+    <message>
+        <source>Width of bridges</source>
+        <translation>Breite der Stege</translation>
+    </message>
+    <message>
+        <source>Run-in of cuts</source>
+        <translation>Anschnitt</translation>
+    </message>
+    <message>
+        <source>Each cut begins and ends so far beside its line, in the waste; 0: on the line</source>
+        <translation>Jeder Schnitt beginnt und endet so weit neben seiner Linie, im Abfall; 0: auf der Linie</translation>
+    </message>
+    <message>
+        <source>cut once</source>
+        <translation>nur einmal schneiden</translation>
+    </message>
+    <message>
+        <source>Shared edges</source>
+        <translation>Gemeinsame Kanten</translation>
+    </message>
+    <message>
+        <source>Of parts that lie against each other, where the spacing is 0</source>
+        <translation>Von Teilen, die aneinander liegen, wo der Abstand 0 ist</translation>
+    </message>
+    <message>
+        <source>Slit that fitted</source>
+        <translation>Schlitz, der passt</translation>
+    </message>
+    <message>
+        <source>Its number on a fit coupon, which is among the files for the workshop: sets the clearance</source>
+        <translation>Seine Nummer auf dem Probestück, das bei den Dateien für die Werkstatt liegt: setzt das Spiel</translation>
     </message>
 </context>
 <context>
@@ -9301,6 +9415,10 @@
     <message>
         <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
         <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
     </message>
 </context>
 <context>
@@ -12994,6 +13112,26 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Remove stock %1</source>
         <translation>Material %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Save this stock in a file, for other models and other people</source>
+        <translation>Dieses Material in einer Datei speichern, für andere Modelle und andere Leute</translation>
+    </message>
+    <message>
+        <source>Save the stock in a file</source>
+        <translation>Das Material in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>Add a stock from a file</source>
+        <translation>Ein Material aus einer Datei hinzufügen</translation>
+    </message>
+    <message>
+        <source>FlatFitFab models (%1)</source>
+        <translation>FlatFitFab-Modelle (%1)</translation>
     </message>
 </context>
 <context>
