@@ -114,6 +114,8 @@ int main(int argc, char *argv[])
     QApplication::setStyle(new fff::ui::FieldStyle);
     new fff::ui::FocusFrame(application);
     nameProgram();
+    // Wayland's windows have the icon of this entry (packaging/linux).
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.flatfitfab.FlatFitFab"));
     QApplication::setApplicationDisplayName(QString()); // the window's title names the program
 
     fff::ui::installTranslations(application);
