@@ -143,6 +143,7 @@ target_sources(fff_ui PRIVATE
     properties/turning_choices.cpp
     properties/varying_rows.cpp
     settings/check_rules.cpp
+    settings/places.cpp
     settings/settings.cpp
     settings/settings_checks.cpp
     settings/system_wishes.cpp

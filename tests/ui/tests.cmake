@@ -39,6 +39,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/properties/tst_choice_box
     ui/properties/tst_link_row
     ui/properties/tst_slider_field
+    ui/settings/tst_places
     ui/settings/tst_settings
     ui/sheets/tst_sheets_dock
     ui/start/tst_samples

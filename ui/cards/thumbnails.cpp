@@ -4,6 +4,7 @@
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "ui/base/theme.h"
+#include "ui/settings/places.h"
 #include "ui/view/offscreen_image.h"
 
 #include <QCryptographicHash>
@@ -12,7 +13,6 @@
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QSaveFile>
-#include <QStandardPaths>
 #include <QTimer>
 
 namespace fff::ui {
@@ -31,8 +31,7 @@ const QString kSections = QStringLiteral("Sections"); // a text in the picture's
 
 QString ownFolder()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
-           QStringLiteral("/flatfitfab/thumbnails");
+    return places().cache + QStringLiteral("/thumbnails");
 }
 
 /// Another one for another state of the file, another theme, another size.

@@ -1,11 +1,11 @@
 #include "ui/settings/settings.h"
 
+#include "ui/settings/places.h"
 #include "ui/settings/stored_values.h"
 #include "ui/settings/system_wishes.h"
 
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <iterator>
@@ -68,14 +68,10 @@ const SwitchRow &rowOf(DrawingSwitch what)
                          [what](const SwitchRow &row) { return row.what == what; });
 }
 
-QString ownFile()
-{
-    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
-           QStringLiteral("/flatfitfab/settings.ini");
-}
-
 std::unique_ptr<Settings> &theSettings()
 {
+    places(); // made first, so that a place that ends with the program does so after they are
+              // written
     static std::unique_ptr<Settings> one;
     return one;
 }
@@ -84,16 +80,13 @@ std::unique_ptr<Settings> &theSettings()
 
 void Settings::setFile(const QString &path)
 {
-    theSettings() = std::make_unique<Settings>(path.isEmpty() ? ownFile() : path);
+    theSettings() = std::make_unique<Settings>(path.isEmpty() ? places().settings : path);
 }
 
 QString Settings::dataFolder()
 {
     const QString path = settings().m_store.fileName();
-    return path == ownFile()
-               ? QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-                     QStringLiteral("/flatfitfab")
-               : QFileInfo(path).absolutePath();
+    return path == places().settings ? places().data : QFileInfo(path).absolutePath();
 }
 
 Settings &settings()
