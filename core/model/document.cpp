@@ -104,7 +104,8 @@ bool Document::isSame(const Document &other) const
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
            loads == other.loads && jointOverrides == other.jointOverrides &&
            dimensions == other.dimensions && pins == other.pins && turnings == other.turnings &&
-           numbers == other.numbers && templates == other.templates && blobs == other.blobs &&
+           numbers == other.numbers && values.isSame(other.values) && bindings == other.bindings &&
+           templates == other.templates && blobs == other.blobs &&
            currentStock == other.currentStock;
 }
 
@@ -114,6 +115,12 @@ bool Document::operator==(const Document &other) const
            equalValues(operations, other.operations) && loads == other.loads &&
            equalValues(jointOverrides, other.jointOverrides) && dimensions == other.dimensions &&
            pins == other.pins && turnings == other.turnings && numbers == other.numbers &&
+           values == other.values &&
+           std::equal(bindings.begin(), bindings.end(), other.bindings.begin(),
+                      other.bindings.end(),
+                      [](const BindingPointer &a, const BindingPointer &b) {
+                          return a == b || a->binding == b->binding;
+                      }) &&
            equalValues(templates, other.templates) && equalValues(blobs, other.blobs) &&
            currentStock == other.currentStock && nextId == other.nextId;
 }

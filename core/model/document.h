@@ -1,6 +1,7 @@
 // The document: a value, cheap to copy, never changed in place (edits.h makes the next one).
 #pragma once
 
+#include "core/model/binding.h"
 #include "core/model/blob.h"
 #include "core/model/dimension.h"
 #include "core/model/joint_override.h"
@@ -11,6 +12,7 @@
 #include "core/model/sheet_wishes.h"
 #include "core/model/stock.h"
 #include "core/model/template.h"
+#include "core/values/values.h"
 
 #include <memory>
 #include <string>
@@ -32,6 +34,8 @@ struct Document
     std::vector<PinnedPlace> pins;          // ascending by section and body, each part once
     std::vector<SectionTurning> turnings;   // ascending by section, each once
     std::vector<NamedNumber> numbers;       // by which numbers can be called in fields
+    Values values;                          // with names, of which numbers are made
+    std::vector<BindingPointer> bindings;   // ascending by place, each place once
     std::vector<TemplatePointer> templates; // as they are listed
     std::vector<BlobPointer> blobs;         // ascending by sha256, each once
     StockId currentStock;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/geometry/halfplane_clip.h"
+#include "core/model/binding.h"
 #include "core/model/operation.h"
 #include "core/model/stock.h"
 #include "core/model/template.h"
+#include "core/values/evaluated_values.h"
 
 #include <map>
 #include <memory>
@@ -94,8 +96,20 @@ struct Listing
 /// their keys; -1: nowhere.
 int indexOfKey(const std::vector<SectionPointer> &sections, const std::string &key);
 
+/// Why a number does not follow what was typed for it, in one sentence.
+struct DrivingError
+{
+    DrivenPlace place;
+    Message sentence;
+
+    bool operator==(const DrivingError &) const = default;
+};
+
 struct Evaluation
 {
+    EvaluatedValues values; // what the document's come to
+    /// Not empty: no number of the document was changed, all are as they were before.
+    std::vector<DrivingError> drivingErrors;
     std::vector<OperationResultPointer> results; // one an operation that is on, in their order
     /// Null: no operation makes or changes anything, the sections are those of the document.
     std::shared_ptr<const Listing> listing;

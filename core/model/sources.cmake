@@ -1,4 +1,6 @@
 target_sources(fff_core PRIVATE
+    model/binding.cpp
+    model/bindings.cpp
     model/changes.cpp
     model/dimensions.cpp
     model/document.cpp
