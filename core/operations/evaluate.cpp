@@ -1,5 +1,6 @@
 #include "core/operations/evaluate.h"
 
+#include "core/operations/driven.h"
 #include "core/operations/operation_kind.h"
 #include "core/operations/section_lookup.h"
 
@@ -57,9 +58,13 @@ bool isSameListing(const Listing &a, const Listing &b)
 Model evaluate(Document document, const Model &previous)
 {
     Model model;
-    model.document = std::move(document);
+    Driven agreed = driven(std::move(document), previous.evaluation.values);
+    model.document = std::move(agreed.document);
+    model.evaluation.values = std::move(agreed.values);
+    model.evaluation.drivingErrors = std::move(agreed.errors);
     if (model.document.isSame(previous.document)) {
-        model.evaluation = previous.evaluation;
+        model.evaluation.results = previous.evaluation.results;
+        model.evaluation.listing = previous.evaluation.listing;
         return model;
     }
     if (model.document.operations.empty())

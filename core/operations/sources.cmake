@@ -5,6 +5,11 @@ target_sources(fff_core PRIVATE
     operations/branch.cpp
     operations/copies.cpp
     operations/copying.cpp
+    operations/drivable.cpp
+    operations/driven.cpp
+    operations/driven_operations.cpp
+    operations/driven_sections.cpp
+    operations/driven_things.cpp
     operations/evaluate.cpp
     operations/excerpt.cpp
     operations/facet_model.cpp
