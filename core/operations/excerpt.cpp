@@ -1,8 +1,10 @@
 #include "core/operations/excerpt.h"
 
+#include "core/model/bindings.h"
 #include "core/model/placed_loads.h"
 #include "core/model/sheet_edits.h"
 #include "core/operations/baking.h"
+#include "core/operations/drivable.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
 
@@ -44,6 +46,7 @@ private:
     void addTurnings();
     void addStocks();
     void keepSlits();
+    void addValues();
     /// What the section is called in the excerpt; empty: it is not there.
     SectionRef newRef(const SectionRef &ref) const;
 
@@ -245,6 +248,33 @@ void Excerpt::keepSlits()
         m_result = *std::move(kept);
 }
 
+/// What was typed for numbers that are here, and the values of which that is made.
+void Excerpt::addValues()
+{
+    const Document &all = m_model.document;
+    std::set<ValueId> used;
+    std::vector<const Typed *> reached;
+    const auto reach = [&reached](const Understood<Typed> &typed) {
+        if (typed)
+            reached.push_back(&*typed);
+    };
+    for (const BindingPointer &pointer : all.bindings)
+        if (drivenNumber(m_result, pointer->binding.place)) {
+            m_result.bindings.push_back(pointer);
+            reach(pointer->typed);
+        }
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        for (const std::string &name : reached[i]->names())
+            if (const int index = all.values.indexOf(name); index >= 0) {
+                const KnownValue &known = *all.values.list[static_cast<std::size_t>(index)];
+                if (used.insert(known.value.id).second)
+                    reach(known.typed);
+            }
+    for (const ValuePointer &known : all.values.list)
+        if (used.contains(known->value.id))
+            m_result.values.list.push_back(known);
+}
+
 Document Excerpt::take()
 {
     m_result.nextId = m_model.document.nextId;
@@ -255,6 +285,7 @@ Document Excerpt::take()
     addMarks();
     addStocks();
     keepSlits();
+    addValues();
     return selfContained(evaluate(std::move(m_result)));
 }
 

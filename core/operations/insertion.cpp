@@ -1,5 +1,7 @@
 #include "core/operations/insertion.h"
 
+#include "core/base/letters.h"
+#include "core/model/bindings.h"
 #include "core/model/edits.h"
 #include "core/model/named_numbers.h"
 #include "core/model/sheet_edits.h"
@@ -7,7 +9,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <tuple>
 
 namespace fff {
@@ -69,6 +73,9 @@ private:
     void addOperations();
     void addMarks();
     void addTemplates();
+    std::set<std::string> sharedValues() const;
+    void addValues();
+    std::optional<DrivenPlace> moved(const DrivenPlace &place) const;
     Operation moved(const Operation &operation) const;
 
     const Document &m_other;
@@ -76,6 +83,7 @@ private:
     const std::int64_t m_shift; // of all ids but those of stocks: their order stays
     const bool m_isFirst;
     std::map<StockId, StockId> m_stocks;
+    std::set<StockId> m_newStocks; // of the other, that were none of this document's
     std::map<OperationId, std::map<std::string, std::string>> m_keys; // by operations of the other
     Insertion m_result;
 };
@@ -119,6 +127,7 @@ void Inserter::addStocks()
         Stock next = *stock;
         next.id = Id<StockTag>{stock->id.value + m_shift};
         m_stocks.emplace(stock->id, next.id);
+        m_newStocks.insert(stock->id);
         document.stocks.push_back(std::make_shared<const Stock>(std::move(next)));
     }
     m_stocks.emplace(StockId(), StockId());
@@ -272,6 +281,74 @@ void Inserter::addMarks()
               });
 }
 
+/// Folded names of the other's values that this document has, with all that they are made of, by
+/// all that they say but their ids.
+std::set<std::string> Inserter::sharedValues() const
+{
+    const Values &here = m_result.document.values, &others = m_other.values;
+    std::set<std::string> shared;
+    for (const ValuePointer &known : others.list) {
+        const Value *same = here.find(known->value.name);
+        Value value = known->value;
+        value.id = same ? same->id : ValueId();
+        if (same && value == *same)
+            shared.insert(known->folded);
+    }
+    const auto isMadeOfOthers = [&](const ValuePointer &known) {
+        return known->typed &&
+               std::any_of(known->typed->names().begin(), known->typed->names().end(),
+                           [&](const std::string &name) {
+                               return !shared.contains(name) && others.find(name);
+                           });
+    };
+    for (bool isSettled = false; !isSettled;) {
+        isSettled = true;
+        for (const ValuePointer &known : others.list)
+            if (shared.contains(known->folded) && isMadeOfOthers(known)) {
+                shared.erase(known->folded);
+                isSettled = false;
+            }
+    }
+    return shared;
+}
+
+/// Of the other's number here; nothing where that is one of this document's own.
+std::optional<DrivenPlace> Inserter::moved(const DrivenPlace &place) const
+{
+    DrivenPlace next = place;
+    if (place.of == DrivenPlace::Of::Stock && !m_newStocks.contains(StockId{place.id}))
+        return std::nullopt;
+    if (place.of != DrivenPlace::Of::Joint) {
+        next.id += m_shift;
+        return next;
+    }
+    next.a = moved(place.a);
+    next.b = moved(place.b);
+    return next;
+}
+
+void Inserter::addValues()
+{
+    Document &document = m_result.document;
+    const std::set<std::string> shared = sharedValues();
+    Values coming;
+    for (const ValuePointer &known : m_other.values.list)
+        if (!shared.contains(known->folded))
+            coming.list.push_back(known);
+    ValueMerge merge = mergedValues(document.values, coming, document.nextId);
+    document.values = std::move(merge.values);
+    document.nextId += std::ssize(coming.list);
+    for (const BindingPointer &pointer : m_other.bindings) {
+        const std::optional<DrivenPlace> place = moved(pointer->binding.place);
+        if (!place)
+            continue;
+        Binding next = pointer->binding;
+        next.place = *place;
+        next.typed = renamedIn(next.typed, next.kind, merge.renames);
+        document = withBinding(std::move(document), std::move(next));
+    }
+}
+
 Insertion Inserter::insert()
 {
     Document &document = m_result.document;
@@ -280,7 +357,9 @@ Insertion Inserter::insert()
     addOperations();
     addMarks();
     document.nextId += m_other.nextId - 1;
+    addValues();
     const Model model = evaluate(document);
+    document = model.document;
     for (const OperationId id : m_result.operations)
         if (const OperationResult *made = model.resultOf(id))
             for (const SectionPointer &section : made->sections)
