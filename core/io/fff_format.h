@@ -29,6 +29,12 @@
 //       "pins":       [ { "section": ref, "body", "sheet", "at": [x, y], "turn": [cos, sin] } ],
 //       "turnings":   [ { "section": ref, "turning": "none|half|quarter|free" } ],
 //       "numbers":    [ { "name", "expression", "value" } ],
+//       "values":     [ { "id", "name", "kind": "number|length|angle|count|mass|ratio|text|choice|
+//                         switch", "typed", "lengthUnit", "massUnit", "angleUnit", "commas":
+//                         "decimals|groups", "least", "most", "step", "choices": ["text", ...],
+//                         "note", "shown" } ],
+//       "bindings":   [ { "of": "stock|operation|section|figure|lettering|load|joint", "id", "a":
+//                         ref, "b": ref, "index", "field", "typed", "lengthUnit" …, "result" } ],
 //       "templates":  [ { "id", "kind": "mesh|picture|curves", "name", "blob": its SHA-256, "file",
 //                         "on": ref, "frame", "scale", "flipped", "opacity", "hidden", "locked",
 //                         "magnets": [ { "section": ref, "radius" } ] } ],
@@ -41,7 +47,11 @@
 // points are edited (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark
 // "lettering"; "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor
 // "section"; "pins" and "turnings" (core/model/sheet_wishes.h), of a pin "body" (then 0) and "turn"
-// (then [1, 0]); "templates" (core/model/template.h), of one all that is not said of it by default,
+// (then [1, 0]); "values" (core/values/values.h) and of one all but its id, name, kind and what was
+// typed; "bindings" (core/model/binding.h), which say of numbers that stand elsewhere in the file
+// of what they are made, and what that came to ("result", as the number is in the file; another
+// number there is one by itself), of a joint by "a" and "b", of all else by "id"; "templates"
+// (core/model/template.h), of one all that is not said of it by default,
 // and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
 // these "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175),
 // "leadIn" and "bumps" (0), "price" (then it is not known); of an operation "on" (then true), "template" and "stock"

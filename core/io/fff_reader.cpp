@@ -7,6 +7,7 @@
 #include "core/io/fff_operations.h"
 #include "core/io/fff_sheets.h"
 #include "core/io/fff_templates.h"
+#include "core/io/fff_values.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
 #include "core/model/joint_kind_names.h"
@@ -407,7 +408,10 @@ Document FffReader::read(const JsonCursor &root)
     document.pins = readPins(root.member("pins"), readers);
     document.turnings = readTurnings(root.member("turnings"), readers);
     document.numbers = readNumbers(root.member("numbers"));
+    document.values = readValues(root.member("values"), readers);
     document.templates = readTemplates(root.member("templates"), readers);
+    if (!m_problems.failed())
+        document.bindings = readBindings(root.member("bindings"), document, readers);
     if (!m_problems.failed())
         document.blobs = readBlobs(root.member("blobs"), m_blobs, m_problems);
     return document;

@@ -5,6 +5,7 @@
 #include "core/io/fff_operations.h"
 #include "core/io/fff_sheets.h"
 #include "core/io/fff_templates.h"
+#include "core/io/fff_values.h"
 #include "core/io/json_writer.h"
 #include "core/model/joint_kind_names.h"
 
@@ -229,6 +230,8 @@ Result<std::string> writeFff(const Document &document)
     writePins(json, document);
     writeTurnings(json, document);
     writeNumbers(json, document);
+    writeValues(json, document);
+    writeBindings(json, document);
     writeTemplates(json, document);
     writeBlobs(json, document);
     json.endObject();

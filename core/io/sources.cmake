@@ -18,6 +18,7 @@ target_sources(fff_io PRIVATE
     fff_reader.cpp
     fff_sheets.cpp
     fff_templates.cpp
+    fff_values.cpp
     fff_writer.cpp
     file_set.cpp
     flatfab_format.cpp

@@ -6,6 +6,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_fff_file
     core/io/tst_fff_format
     core/io/tst_fff_migration
+    core/io/tst_fff_values
     core/io/tst_file_set
     core/io/tst_flatfab_format
     core/io/tst_flatfab_models
