@@ -23,6 +23,7 @@
 #include "core/session/skin_commands.h"
 #include "core/session/template_commands.h"
 #include "core/session/tool_commands.h"
+#include "core/session/value_commands.h"
 #include "core/session/view_commands.h"
 
 namespace fff {
@@ -140,6 +141,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerMarkCommands(registry, session, interaction);
     registerDrawingCommands(registry, session, interaction);
     registerMeasureCommands(registry, session, interaction);
+    registerValueCommands(registry, session, interaction);
     registerCopyCommands(registry, session, interaction, memoryClipboard());
     registerMirrorCommands(registry, session, interaction);
     registerPointCommands(registry, session, interaction);

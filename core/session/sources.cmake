@@ -44,6 +44,7 @@ target_sources(fff_session PRIVATE
     template_parameters.cpp
     tool_commands.cpp
     unreadable_work.cpp
+    value_commands.cpp
     view_commands.cpp
     load_commands.cpp
 )
