@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 
+#include "app/cli/value_options.h"
 #include "core/io/error_text.h"
 #include "core/io/stock_file.h"
 #include "core/io/warning_summary.h"
@@ -44,6 +45,13 @@ constexpr std::array kVerbs = {
          QT_TRANSLATE_NOOP("CommandLine", "How it goes together, step by step; needs a display"),
          runSteps},
 #endif
+    Verb{"values", "FILE [--json] [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "The named values of a model, and what is made of them"),
+         runValues},
+    Verb{"variants", "FILE --table T.csv -o DIR [--format KIND] [options]",
+         QT_TRANSLATE_NOOP("CommandLine",
+                           "A cutting file and a verdict for each line of a table of values"),
+         runVariants},
     Verb{"operations", "[FILE] [--json] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "All kinds of operations, or the operations of a model"),
          runOperations},
@@ -243,6 +251,8 @@ void addDocumentOptions(QCommandLineParser &parser)
     const auto add = [&](const char *name, const QString &text, const char *value) {
         parser.addOption({QLatin1String(name), text, QLatin1String(value)});
     };
+    add("set", tr("Gives a named value of the model another number; may be repeated."),
+        "NAME=VALUE");
     add("thickness", tr("Thickness of every stock."), "MM");
     add("stock", tr("Cuts every section from this stock, or from that of a .fff file."), "NAME");
     add("kerf", tr("Full width that the machine removes."), "MM");
@@ -344,6 +354,7 @@ std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser,
     }
     if (parser.isSet(QStringLiteral("stock")))
         options.stock = parser.value(QStringLiteral("stock"));
+    options.values = parser.values(QStringLiteral("set"));
     options.isVerbose = parser.isSet(QStringLiteral("verbose"));
     return status ? std::nullopt : std::optional(options);
 }
@@ -351,6 +362,10 @@ std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser,
 std::optional<int> applyOptions(Document &document, const DocumentOptions &options,
                                 const Verb &verb)
 {
+    tl::expected<Document, QString> agreed = withValues(document, options.values);
+    if (!agreed)
+        return wrongUse(verb, tr("--set: %1").arg(agreed.error()));
+    document = *std::move(agreed);
     if (options.stock) {
         if (const auto status = applyStock(document, *options.stock, verb))
             return status;

@@ -46,6 +46,8 @@ int runSlices(const QStringList &arguments);
 int runFacets(const QStringList &arguments);
 int runNest(const QStringList &arguments);
 int runReplay(const QStringList &arguments);
+int runValues(const QStringList &arguments);
+int runVariants(const QStringList &arguments);
 
 /// The arguments of one verb: options from `parser`, and exactly `files` file names in front of or
 /// between them. When they make no sense, or help was asked for, the texts are printed and `status`
@@ -66,7 +68,8 @@ QString modelFiles();
 QString usageOf(const Verb &verb);
 QString purposeOf(const Verb &verb);
 
-/// --thickness, --stock, --kerf, --clearance, --sheet: they override the document for this run; and
+/// --set, --thickness, --stock, --kerf, --clearance, --sheet: they override the document for this
+/// run, values first, so that a plain number counts in place of what is made of them; and
 /// what readers may be told (core/io/formats.h), and --verbose.
 void addDocumentOptions(QCommandLineParser &parser);
 
@@ -76,6 +79,7 @@ struct DocumentOptions
     std::optional<double> thickness, kerf, clearance; // mm
     std::optional<Vec2> sheet;                        // mm
     std::optional<QString> stock;
+    QStringList values;       // NAME=VALUE
     io::FormatValues reading; // of the formats' options
     bool isVerbose = false;   // each warning of the reader with its line, not only what they mean
 };

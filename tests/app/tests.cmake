@@ -16,6 +16,10 @@ target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-c
     FFF_RESOURCES="${CMAKE_SOURCE_DIR}/resources")
 add_dependencies(tests_app flatfitfab-cli)
 
+fff_tests(tests_cli_values LIBRARIES fff_cli TESTS app/tst_cli_values)
+target_compile_definitions(tests_cli_values PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
+add_dependencies(tests_cli_values flatfitfab-cli)
+
 # Cutting files of some samples, as other programs read them: of few and many parts, curves, marks, several sheets.
 add_test(NAME app/cutting_files COMMAND ${FFF_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/check_cutting_files.py
     $<TARGET_FILE:flatfitfab-cli> ${CMAKE_SOURCE_DIR}/resources/samples/gears.fff

@@ -1,0 +1,60 @@
+#include "app/cli/value_options.h"
+
+#include "core/operations/driven.h"
+#include "core/session/message_text.h"
+
+namespace fff::cli {
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+QString namesOf(const Values &values)
+{
+    QStringList names;
+    for (const ValuePointer &known : values.list)
+        names += QString::fromStdString(known->value.name);
+    return io::enumerated(names, tr("%1 or %2"));
+}
+
+} // namespace
+
+Reading typedReading()
+{
+    Reading reading;
+    reading.massUnit = 1.0;
+    return reading;
+}
+
+tl::expected<Document, QString> withValues(const Document &document, const QStringList &settings)
+{
+    Document next = document;
+    for (const QString &setting : settings) {
+        const qsizetype equals = setting.indexOf(u'=');
+        if (equals < 1)
+            return tl::unexpected(
+                tr("found \"%1\", expected NAME=VALUE, such as width=400.").arg(setting));
+        const QString name = setting.left(equals).trimmed();
+        const Value *value = next.values.find(std::string_view(name.toStdString()));
+        if (!value && next.values.list.empty())
+            return tl::unexpected(tr("the model has no values with names."));
+        if (!value)
+            return tl::unexpected(
+                tr("there is no value \"%1\"; expected %2.").arg(name, namesOf(next.values)));
+        const ValueId id = value->id;
+        Understood<Document> typed = typeValue(
+            std::move(next), id, setting.mid(equals + 1).trimmed().toStdString(), typedReading());
+        if (!typed)
+            return tl::unexpected(messageText(typed.error().message));
+        next = *std::move(typed);
+    }
+    // All are there first: their order says nothing.
+    if (const std::optional<Message> wrong = newlyWrong(document, next))
+        return tl::unexpected(messageText(*wrong));
+    return driven(std::move(next)).document;
+}
+
+} // namespace fff::cli

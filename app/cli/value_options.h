@@ -1,0 +1,16 @@
+// --set NAME=VALUE: named values of a model for one run.
+#pragma once
+
+#include "app/cli/command_line.h"
+#include "core/model/bindings.h"
+
+namespace fff::cli {
+
+/// What is typed on the command line: mm, degrees and kg where it has no unit.
+Reading typedReading();
+
+/// The document in agreement with these values; each is NAME=VALUE, and the last of a name counts.
+/// What is wrong with one, or what the model would not bear, is one sentence.
+tl::expected<Document, QString> withValues(const Document &document, const QStringList &settings);
+
+} // namespace fff::cli
