@@ -3384,6 +3384,14 @@
         <source>Parts close together on sheets, or the items of a strip (.json)</source>
         <translation>Teile dicht beieinander auf Platten, oder die Stücke eines Streifens (.json)</translation>
     </message>
+    <message>
+        <source>The named values of a model, and what is made of them</source>
+        <translation>Die benannten Werte eines Modells und was daraus gemacht ist</translation>
+    </message>
+    <message>
+        <source>A cutting file and a verdict for each line of a table of values</source>
+        <translation>Eine Schneiddatei und ein Urteil für jede Zeile einer Tabelle von Werten</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -3443,6 +3451,123 @@
         <source>Moved in by %1. B: put it back</source>
         <extracomment>%1 is a length</extracomment>
         <translation>Um %1 hereingerückt. B: zurücknehmen</translation>
+    </message>
+</context>
+<context>
+    <name>Driven</name>
+    <message>
+        <source>“%1” is %2, which is not possible here.</source>
+        <extracomment>%1: an expression, %2 what it comes to</extracomment>
+        <translation>„%1“ ist %2, was hier nicht möglich ist.</translation>
+    </message>
+    <message>
+        <source>“%1” and another expression want this to be different at the same time.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>„%1“ und ein anderer Ausdruck wollen dies zugleich verschieden.</translation>
+    </message>
+    <message>
+        <source>What this number belongs to is not there any more.</source>
+        <translation>Wozu diese Zahl gehört, gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>X of the centre</source>
+        <translation>X der Mitte</translation>
+    </message>
+    <message>
+        <source>Y of the centre</source>
+        <translation>Y der Mitte</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Height of letters</source>
+        <translation>Höhe der Buchstaben</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Kerf</source>
+        <translation>Schnittbreite</translation>
+    </message>
+    <message>
+        <source>Width of a sheet</source>
+        <translation>Breite einer Platte</translation>
+    </message>
+    <message>
+        <source>Height of a sheet</source>
+        <translation>Höhe einer Platte</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool</source>
+        <translation>Durchmesser des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Lead-in of slits</source>
+        <translation>Einführfase der Schlitze</translation>
+    </message>
+    <message>
+        <source>Bumps in slits</source>
+        <translation>Noppen in Schlitzen</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Filled with</source>
+        <translation>Gefüllt mit</translation>
+    </message>
+    <message>
+        <source>Force along X</source>
+        <translation>Kraft entlang X</translation>
+    </message>
+    <message>
+        <source>Force along Y</source>
+        <translation>Kraft entlang Y</translation>
+    </message>
+    <message>
+        <source>Force across</source>
+        <translation>Kraft quer dazu</translation>
+    </message>
+    <message>
+        <source>Meeting point</source>
+        <translation>Treffpunkt</translation>
     </message>
 </context>
 <context>
@@ -4543,6 +4668,24 @@
     <message>
         <source>a length of leads in mm</source>
         <translation>eine Länge von Anschnitten in mm</translation>
+        <source>decimals or groups</source>
+        <translation>decimals oder groups</translation>
+    </message>
+    <message>
+        <source>an expression that is not that long</source>
+        <translation>ein Ausdruck, der nicht so lang ist</translation>
+    </message>
+    <message>
+        <source>number, length, angle, count, mass, ratio, text, choice or switch</source>
+        <translation>number, length, angle, count, mass, ratio, text, choice oder switch</translation>
+    </message>
+    <message>
+        <source>a word of letters and digits, each once</source>
+        <translation>ein Wort aus Buchstaben und Ziffern, jedes einmal</translation>
+    </message>
+    <message>
+        <source>each number once</source>
+        <translation>jede Zahl einmal</translation>
     </message>
 </context>
 <context>
@@ -5565,6 +5708,14 @@
     <message>
         <source>Nothing pasted: what was copied has neither sections nor a picture in it.</source>
         <translation>Nichts eingefügt: In der Zwischenablage sind weder Scheiben noch ein Bild.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n that were made of it are plain numbers now.</source>
+        <extracomment>%n numbers were made of a value that is removed</extracomment>
+        <translation>
+            <numerusform>%n, die daraus gemacht war, ist jetzt eine bloße Zahl.</numerusform>
+            <numerusform>%n, die daraus gemacht waren, sind jetzt bloße Zahlen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6861,7 +7012,9 @@
 ----------
 %1 is the name of a number
 ----------
-%1 is the name of an operation</extracomment>
+%1 is the name of an operation
+----------
+%1 is the name of a value</extracomment>
         <translation>%1 löschen</translation>
     </message>
     <message numerus="yes">
@@ -6888,7 +7041,9 @@
     </message>
     <message>
         <source>Add %1</source>
-        <extracomment>%1 is the name of an operation</extracomment>
+        <extracomment>%1 is the name of an operation
+----------
+%1 is the name of a value</extracomment>
         <translation>%1 hinzufügen</translation>
     </message>
     <message>
@@ -6942,7 +7097,9 @@
     </message>
     <message>
         <source>Set %1</source>
-        <extracomment>%1 is the name of a number</extracomment>
+        <extracomment>%1 is the name of a number
+----------
+%1 is the name of a value</extracomment>
         <translation>%1 festlegen</translation>
     </message>
     <message>
@@ -7303,6 +7460,9 @@
             <numerusform>Drehung von %n Scheibe ändern</numerusform>
             <numerusform>Drehung von %n Scheiben ändern</numerusform>
         </translation>
+        <source>Rename %1 to %2</source>
+        <extracomment>%1 is the name a value had, %2 the one that it has now</extracomment>
+        <translation>%1 in %2 umbenennen</translation>
     </message>
 </context>
 <context>
@@ -8377,6 +8537,69 @@
     <message>
         <source>Cuts every section from this stock, or from that of a .fff file.</source>
         <translation>Schneidet jede Scheibe aus diesem Material oder aus dem einer .fff-Datei.</translation>
+        <source>Gives a named value of the model another number; may be repeated.</source>
+        <translation>Gibt einem benannten Wert des Modells eine andere Zahl; geht mehrmals.</translation>
+    </message>
+    <message>
+        <source>--set: %1</source>
+        <translation>--set: %1</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected NAME=VALUE, such as width=400.</source>
+        <translation>„%1“ gefunden, NAME=WERT erwartet, etwa width=400.</translation>
+    </message>
+    <message>
+        <source>the model has no values with names.</source>
+        <translation>das Modell hat keine benannten Werte.</translation>
+    </message>
+    <message>
+        <source>there is no value &quot;%1&quot;; expected %2.</source>
+        <translation>es gibt keinen Wert „%1“; erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>The model has no values with names.</source>
+        <translation>Das Modell hat keine benannten Werte.</translation>
+    </message>
+    <message>
+        <source>there are more cells than names.</source>
+        <translation>es sind mehr Zellen als Namen.</translation>
+    </message>
+    <message>
+        <source>%1:%2: %3</source>
+        <extracomment>%1 is a file&apos;s name, %2 the number of a line, %3 a sentence</extracomment>
+        <translation>%1:%2: %3</translation>
+    </message>
+    <message>
+        <source>A CSV file: names of values, and a line of numbers for each variant.</source>
+        <translation>Eine CSV-Datei: Namen von Werten und je Variante eine Zeile mit Zahlen.</translation>
+    </message>
+    <message>
+        <source>The folder to write to; it is made where there is none.</source>
+        <translation>Der Ordner, in den geschrieben wird; er wird angelegt, wenn es ihn nicht gibt.</translation>
+    </message>
+    <message>
+        <source>What is written of each (svg).</source>
+        <translation>Was von jeder geschrieben wird (svg).</translation>
+    </message>
+    <message>
+        <source>--table and -o are both needed.</source>
+        <translation>--table und -o sind beide nötig.</translation>
+    </message>
+    <message>
+        <source>--format: found &quot;%1&quot;, expected a kind of cutting file.</source>
+        <translation>--format: „%1“ gefunden, eine Art von Schneiddatei erwartet.</translation>
+    </message>
+    <message>
+        <source>%1: found no line of numbers, expected one below the names.</source>
+        <translation>%1: keine Zeile mit Zahlen gefunden, unter den Namen wird eine erwartet.</translation>
+    </message>
+    <message>
+        <source>%1: a quote is not closed.</source>
+        <translation>%1: ein Anführungszeichen ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made.</source>
+        <translation>%1: der Ordner kann nicht angelegt werden.</translation>
     </message>
 </context>
 <context>

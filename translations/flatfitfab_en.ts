@@ -305,6 +305,14 @@
             <numerusform>%1 has %n outlines, which is too many: trace it coarser, or smooth it first.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n that were made of it are plain numbers now.</source>
+        <extracomment>%n numbers were made of a value that is removed</extracomment>
+        <translation>
+            <numerusform>%n that was made of it is a plain number now.</numerusform>
+            <numerusform>%n that were made of it are plain numbers now.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Mesh</name>
