@@ -4658,6 +4658,8 @@
     <message>
         <source>none, half, quarter or free</source>
         <translation>none, half, quarter oder free</translation>
+    </message>
+    <message>
         <source>a larger sheet</source>
         <translation>eine größere Platte</translation>
     </message>
@@ -4668,6 +4670,8 @@
     <message>
         <source>a length of leads in mm</source>
         <translation>eine Länge von Anschnitten in mm</translation>
+    </message>
+    <message>
         <source>decimals or groups</source>
         <translation>decimals oder groups</translation>
     </message>
@@ -7460,6 +7464,8 @@
             <numerusform>Drehung von %n Scheibe ändern</numerusform>
             <numerusform>Drehung von %n Scheiben ändern</numerusform>
         </translation>
+    </message>
+    <message>
         <source>Rename %1 to %2</source>
         <extracomment>%1 is the name a value had, %2 the one that it has now</extracomment>
         <translation>%1 in %2 umbenennen</translation>
@@ -8537,6 +8543,8 @@
     <message>
         <source>Cuts every section from this stock, or from that of a .fff file.</source>
         <translation>Schneidet jede Scheibe aus diesem Material oder aus dem einer .fff-Datei.</translation>
+    </message>
+    <message>
         <source>Gives a named value of the model another number; may be repeated.</source>
         <translation>Gibt einem benannten Wert des Modells eine andere Zahl; geht mehrmals.</translation>
     </message>
