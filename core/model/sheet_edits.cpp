@@ -29,7 +29,7 @@ bool comesBefore(const Wish &a, const Wish &b)
 
 /// In its place, or in place of the one that is there.
 template <class Wish>
-void put(std::vector<Wish> &all, const Wish &wish)
+void putWish(std::vector<Wish> &all, const Wish &wish)
 {
     const auto place = std::lower_bound(all.begin(), all.end(), wish, comesBefore<Wish>);
     if (place != all.end() && keyOf(*place) == keyOf(wish))
@@ -39,7 +39,7 @@ void put(std::vector<Wish> &all, const Wish &wish)
 }
 
 template <class Wish>
-void settle(std::vector<Wish> &all)
+void settleWishes(std::vector<Wish> &all)
 {
     std::stable_sort(all.begin(), all.end(), comesBefore<Wish>);
     all.erase(std::unique(all.begin(), all.end(),
@@ -89,7 +89,7 @@ Result<Document> setPin(Document document, const PinnedPlace &place)
         return tl::unexpected(*std::move(why));
     if (auto why = nonsenseOf(place))
         return tl::unexpected(*std::move(why));
-    put(document.pins, place);
+    putWish(document.pins, place);
     return document;
 }
 
@@ -107,7 +107,7 @@ Result<Document> setTurning(Document document, const SectionRef &section,
     if (auto why = unknownSection(document, section))
         return tl::unexpected(*std::move(why));
     if (turning)
-        put(document.turnings, {section, *turning});
+        putWish(document.turnings, {section, *turning});
     else
         std::erase_if(document.turnings,
                       [&](const SectionTurning &one) { return one.section == section; });
@@ -148,8 +148,8 @@ void renameSheetWishes(Document &document,
         pin.section = follow(pin.section);
     for (SectionTurning &one : document.turnings)
         one.section = follow(one.section);
-    settle(document.pins);
-    settle(document.turnings);
+    settleWishes(document.pins);
+    settleWishes(document.turnings);
 }
 
 } // namespace fff

@@ -9,12 +9,12 @@ namespace fff::nest {
 
 namespace {
 
-Axis axisOf(int axis)
+Axis namedAxis(int axis)
 {
     return axis == 0 ? Axis::X : Axis::Y;
 }
 
-Vec2 along(int axis, double way)
+Vec2 alongAxis(int axis, double way)
 {
     return axis == 0 ? Vec2(way, 0.0) : Vec2(0.0, way);
 }
@@ -46,11 +46,11 @@ std::optional<double> Sliding::wayOut(const Vec2 &by, int axis, bool isForward, 
     for (bool isFound = true; isFound;) {
         isFound = false;
         for (const Posed &other : m_others) {
-            const Vec2 at = by + along(axis, isForward ? way : -way);
+            const Vec2 at = by + alongAxis(axis, isForward ? way : -way);
             // Backwards it is the other one that goes forwards.
             const double more = isForward
-                                    ? nest::wayOut(m_outline, other, at, axisOf(axis), steps)
-                                    : nest::wayOut(other, m_outline, -at, axisOf(axis), steps);
+                                    ? nest::wayOut(m_outline, other, at, namedAxis(axis), steps)
+                                    : nest::wayOut(other, m_outline, -at, namedAxis(axis), steps);
             isFound = isFound || more > 0.0;
             way += more;
             if (!(way <= most))
@@ -67,7 +67,7 @@ std::optional<Vec2> Sliding::wayOut(const Vec2 &by, double most) const
         for (const bool isForward : {true, false})
             if (const auto way = wayOut(by, axis, isForward, most);
                 way && (!best || std::abs(*way) < best->norm()))
-                best = along(axis, *way);
+                best = alongAxis(axis, *way);
     return best;
 }
 
@@ -76,8 +76,8 @@ std::optional<double> Sliding::wayTo(const Vec2 &by, int axis, double most) cons
     Steps steps = 0;
     double back = most, forth = most;
     for (const Posed &other : m_others) {
-        back = std::min(back, wayDown(m_outline, other, by, axisOf(axis), most, steps));
-        forth = std::min(forth, wayDown(other, m_outline, -by, axisOf(axis), most, steps));
+        back = std::min(back, wayDown(m_outline, other, by, namedAxis(axis), most, steps));
+        forth = std::min(forth, wayDown(other, m_outline, -by, namedAxis(axis), most, steps));
     }
     if (!(std::min(back, forth) < most))
         return std::nullopt;
