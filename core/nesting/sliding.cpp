@@ -3,6 +3,7 @@
 #include "core/nesting/collision.h"
 #include "core/nesting/grown_outline.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff::nest {
