@@ -46,7 +46,7 @@ void TestDrivenEdits::randomEditsAndUndo()
             break;
         case 2:
             if (count < 4)
-                next = withValue(now, ("v" + std::to_string(below(9) + 2 * i)).c_str(), "5 mm");
+                next = withValue(now, ("v" + std::to_string(i + 2)).c_str(), "5 mm");
             break;
         case 3:
             if (count > 0)
