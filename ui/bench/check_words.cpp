@@ -1,10 +1,13 @@
 #include "ui/bench/check_words.h"
 
-#include "core/session/finding_text.h"
+#include "core/analysis/findings/of_sections.h"
+#include "core/session/message_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/measures.h"
 
 #include <QCoreApplication>
+
+#include <variant>
 
 namespace fff::ui {
 
@@ -30,14 +33,23 @@ UnitWords unitsInUse()
 
 CheckWords checkWords(const Finding &finding, const Model &model)
 {
-    const QString whole = findingText(finding, model, unitsInUse());
+    const UnitWords units = unitsInUse();
+    Message said = finding.kind->sentence(finding, model);
+    QString whose;
+    if (said.text == kOfSections) { // a heading is short: names come below it
+        whose = argumentText(said.arguments.front(), units);
+        said = Message(std::get<Message>(said.arguments.back()));
+    }
+    const QString whole = messageText(said, units);
     const qsizetype end = whole.indexOf(QStringLiteral(". "));
-    if (end < 0)
-        return {verdictText(finding), whole};
-    if (finding.isYet)
-        return {verdictText(finding), whole.mid(end + 2)};
     // Its first sentence is the verdict.
-    return {whole.left(end), whole.mid(end + 2)};
+    const bool isVerdictFirst = end >= 0 && !finding.isYet;
+    const QString title = isVerdictFirst ? whole.left(end) : verdictText(finding);
+    const QString text = end >= 0 ? whole.mid(end + 2) : whole;
+    if (whose.isEmpty())
+        return {title, text};
+    //: %1 names sections, %2 is a sentence about them such as "Tips only past 12°."
+    return {title, CheckTexts::tr("%1: %2").arg(whose, text)};
 }
 
 QString verdictText(const Finding &finding)

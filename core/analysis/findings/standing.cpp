@@ -3,6 +3,7 @@
 #include "core/analysis/dropping.h"
 #include "core/analysis/findings/broader_base.h"
 #include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/of_sections.h"
 #include "core/analysis/footing.h"
 #include "core/base/tolerances.h"
 
@@ -88,8 +89,7 @@ Message ofThese(const Finding &finding, const Model &model, Message sentence)
 {
     if (finding.sections.empty())
         return sentence;
-    //: %1 names sections, %2 is a sentence about them such as "Falls over forwards."
-    return {FFF_TEXT("Checks", "%1: %2"), {namesOf(model, finding.sections), std::move(sentence)}};
+    return {kOfSections, {namesOf(model, finding.sections), std::move(sentence)}};
 }
 
 Message standsSentence(const Finding &finding, const Model &model)
