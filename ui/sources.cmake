@@ -164,6 +164,7 @@ target_sources(fff_ui PRIVATE
     window/badges.cpp
     window/canvas_bar.cpp
     window/context_menu.cpp
+    window/dock_tabs.cpp
     window/main_tool_bar.cpp
     window/main_window.cpp
     window/main_window_commands.cpp

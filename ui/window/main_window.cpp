@@ -51,7 +51,6 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QStackedWidget>
-#include <QTabBar>
 #include <QVBoxLayout>
 
 namespace fff::ui {
@@ -206,14 +205,14 @@ void MainWindow::makeDocks()
     m_steps = new StepsView(*m_bench, *m_checkList, qobject_cast<Viewport *>(m_view), this);
     m_layout = new WindowLayout(*this);
     // The order is that of the tabs in a narrow window.
-    m_layout->add(m_properties, WindowLayout::Place::Right);
-    m_layout->add(m_physics, WindowLayout::Place::Right);
-    m_layout->add(m_outline, WindowLayout::Place::Left);
-    m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
-    m_layout->add(m_history, WindowLayout::Place::Left);
-    m_layout->add(m_templates, WindowLayout::Place::Left, false);
-    m_layout->add(m_library, WindowLayout::Place::Left, false);
-    m_layout->add(m_sheets, WindowLayout::Place::Below, false);
+    m_layout->add(m_properties, "settings", WindowLayout::Place::Right);
+    m_layout->add(m_physics, "weight", WindowLayout::Place::Right);
+    m_layout->add(m_outline, "section", WindowLayout::Place::Left);
+    m_layout->add(m_checks, "check", WindowLayout::Place::LeftBelow);
+    m_layout->add(m_history, "clock", WindowLayout::Place::Left);
+    m_layout->add(m_templates, "figure_polygon", WindowLayout::Place::Left, false);
+    m_layout->add(m_library, "keep", WindowLayout::Place::Left, false);
+    m_layout->add(m_sheets, "stocks", WindowLayout::Place::Below, false);
     connect(m_layout, &WindowLayout::hiddenChanged, m_actions, &ActionSet::refresh);
     connect(m_sheets, &QDockWidget::visibilityChanged, m_actions, &ActionSet::refresh);
 
@@ -442,10 +441,8 @@ bool MainWindow::event(QEvent *event)
     if (event->type() == QEvent::ApplicationPaletteChange)
         refreshTheme();
     // Qt makes the tabs of docks when it needs them.
-    if (event->type() == QEvent::ChildPolished) {
-        if (auto *tabs = qobject_cast<QTabBar *>(static_cast<QChildEvent *>(event)->child()))
-            dress(tabs);
-    }
+    if (event->type() == QEvent::ChildPolished && m_layout)
+        m_layout->takeTabs(static_cast<QChildEvent *>(event)->child());
     return done;
 }
 

@@ -1,14 +1,15 @@
 #include "ui/window/window_layout.h"
 
+#include "ui/base/icon.h"
 #include "ui/settings/settings.h"
+#include "ui/window/dock_tabs.h"
 
 #include <QDockWidget>
-#include <QFont>
-#include <QFontMetrics>
 #include <QGuiApplication>
 #include <QLayout>
 #include <QMainWindow>
 #include <QScreen>
+#include <QTabBar>
 #include <QToolBar>
 
 #include <algorithm>
@@ -18,28 +19,14 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kLeftWidth = 264, kRightWidth = 322;                  // px
-constexpr int kNarrowRightWidth = 322, kMostNarrowRightWidth = 480; // px
-/// Of a tab: its words, and what is beside them, px (resources/style/window.qss).
-constexpr int kTabWords = 12, kTabBorders = 14;
-constexpr int kBelowHeight = 400;   // px, of what is under the view
-constexpr double kBelowShare = 0.4; // of the left column's height
-constexpr int kTwoColumns = 1280;   // px; a narrower window has all docks at the right
+constexpr int kLeftWidth = 264, kRightWidth = 322; // px
+/// Up to the larger one tabs have room for their names; with more of them they are icons.
+constexpr int kNarrowRightWidth = 322, kMostNarrowRightWidth = 366; // px
+constexpr int kBelowHeight = 400;                                   // px, of what is under the view
+constexpr double kBelowShare = 0.4;                                 // of the left column's height
+constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
 constexpr int kVersion = 4;
-
-/// All names of the tabs can be read, also long ones.
-int narrowWidth(const std::vector<QDockWidget *> &docks)
-{
-    QFont words = docks.front()->font();
-    words.setPixelSize(kTabWords);
-    const QFontMetrics metrics(words);
-    int tabs = 0;
-    for (const QDockWidget *dock : docks)
-        if (!dock->isHidden())
-            tabs += metrics.horizontalAdvance(dock->windowTitle()) + kTabBorders;
-    return std::clamp(tabs, kNarrowRightWidth, kMostNarrowRightWidth);
-}
 
 /// Of two docks in a column, one above the other. The column is as high as what is beside it, whose
 /// height is known while docks still have that of before.
@@ -68,7 +55,8 @@ bool isOnScreen(const QRect &window)
 
 } // namespace
 
-WindowLayout::WindowLayout(QMainWindow &window) : QObject(&window), m_window(window)
+WindowLayout::WindowLayout(QMainWindow &window)
+    : QObject(&window), m_window(window), m_tabs(new DockTabs(m_docks, this))
 {
     window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                           QMainWindow::AllowNestedDocks);
@@ -78,8 +66,9 @@ WindowLayout::WindowLayout(QMainWindow &window) : QObject(&window), m_window(win
     window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
 }
 
-void WindowLayout::add(QDockWidget *dock, Place place, bool isShown)
+void WindowLayout::add(QDockWidget *dock, const char *icon, Place place, bool isShown)
 {
+    dock->setWindowIcon(themedIcon(QLatin1String(icon)));
     m_areShown.push_back(isShown ? 1 : 0);
     m_docks.push_back(dock);
     m_places.push_back(place);
@@ -99,11 +88,23 @@ bool WindowLayout::isNarrow() const
     return m_window.width() < kTwoColumns;
 }
 
-/// One more tab than before: the names of all can be read still.
+int WindowLayout::narrowWidth() const
+{
+    const int names = m_tabs->widthOfNames();
+    return names > kMostNarrowRightWidth ? kNarrowRightWidth : std::max(names, kNarrowRightWidth);
+}
+
+void WindowLayout::takeTabs(QObject *child)
+{
+    if (auto *tabs = qobject_cast<QTabBar *>(child))
+        m_tabs->take(tabs);
+}
+
+/// One more tab than before: the names of all can be read still, as long as they have room.
 void WindowLayout::widenForTabs()
 {
     QDockWidget *first = m_docks.front();
-    const int width = narrowWidth(m_docks);
+    const int width = narrowWidth();
     if (!first->isFloating() && first->width() < width)
         m_window.resizeDocks({first}, {width}, Qt::Horizontal);
 }
@@ -152,7 +153,7 @@ void WindowLayout::reset()
     if (left)
         m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
     if (right)
-        m_window.resizeDocks({right}, {wide ? kRightWidth : narrowWidth(m_docks)}, Qt::Horizontal);
+        m_window.resizeDocks({right}, {wide ? kRightWidth : narrowWidth()}, Qt::Horizontal);
     if (under)
         m_window.resizeDocks({under}, {kBelowHeight}, Qt::Vertical);
     forgetHiding();

@@ -11,6 +11,8 @@ class QMainWindow;
 
 namespace fff::ui {
 
+class DockTabs;
+
 class WindowLayout : public QObject
 {
     Q_OBJECT
@@ -22,8 +24,11 @@ public:
 
     explicit WindowLayout(QMainWindow &window);
 
-    /// isShown: before the person has arranged the window.
-    void add(QDockWidget *dock, Place place, bool isShown = true);
+    /// icon     what its tab has where names have no room, as in resources/icons
+    /// isShown  before the person has arranged the window
+    void add(QDockWidget *dock, const char *icon, Place place, bool isShown = true);
+    /// A new child of the window: the tabs that Qt makes for docks when it needs them.
+    void takeTabs(QObject *child);
     const std::vector<QDockWidget *> &docks() const { return m_docks; }
 
     /// Every dock where it is at first, for the window's present width.
@@ -50,6 +55,7 @@ Q_SIGNALS:
 
 private:
     bool isNarrow() const;
+    int narrowWidth() const; // px, of the column
     void widenForTabs();
     void follow();
     void bringBack();
@@ -57,6 +63,7 @@ private:
 
     QMainWindow &m_window;
     std::vector<QDockWidget *> m_docks;
+    DockTabs *m_tabs;
     std::vector<Place> m_places;  // one a dock
     std::vector<char> m_areShown; // at first
     QByteArray m_beforeHiding;    // empty: nothing is hidden
