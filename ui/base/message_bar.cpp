@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include <initializer_list>
+#include <memory>
 #include <utility>
 
 namespace fff::ui {
@@ -66,6 +67,11 @@ MessageBar::MessageBar(QWidget *parent) : QFrame(parent)
 void MessageBar::show(Severity severity, const QStringList &lines, std::vector<Verb> verbs,
                       const QString &details)
 {
+    if (lines.isEmpty())
+        return dismiss();
+    if (m_offer && !isHidden())
+        m_next.insert(m_next.begin(), std::move(m_offer));
+    m_offer = nullptr;
     m_severity = severity;
     QStringList shown = lines.mid(0, lines.size() > kMaxLines ? kMaxLines - 1 : kMaxLines);
     if (shown.size() < lines.size())
@@ -78,7 +84,7 @@ void MessageBar::show(Severity severity, const QStringList &lines, std::vector<V
     m_unfold->setVisible(!details.isEmpty());
     setVerbs(std::move(verbs));
     refresh();
-    setVisible(!lines.isEmpty());
+    setVisible(true);
 }
 
 QString MessageBar::shortened(const QString &details)
@@ -92,16 +98,29 @@ QString MessageBar::shortened(const QString &details)
 
 void MessageBar::showNext(Severity severity, const QStringList &lines, std::vector<Verb> verbs)
 {
+    // Itself again where it comes back.
+    const auto offer = std::make_shared<std::function<void()>>();
+    *offer = [this, severity, lines, verbs = std::move(verbs), again = std::weak_ptr(offer)] {
+        const auto itself = again.lock();
+        show(severity, lines, verbs);
+        m_offer = [itself] { (*itself)(); };
+    };
     if (isHidden())
-        show(severity, lines, std::move(verbs));
+        (*offer)();
     else
-        m_next.push_back(
-            [this, severity, lines, verbs = std::move(verbs)] { show(severity, lines, verbs); });
+        m_next.push_back([offer] { (*offer)(); });
+}
+
+void MessageBar::dismiss()
+{
+    if (!m_offer)
+        close();
 }
 
 void MessageBar::close()
 {
     hide();
+    m_offer = nullptr;
     if (m_next.empty())
         return;
     const std::function<void()> next = std::move(m_next.front());

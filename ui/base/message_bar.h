@@ -29,13 +29,16 @@ public:
 
     explicit MessageBar(QWidget *parent = nullptr);
 
-    /// Replaces what is shown; nothing is shown without lines. Several lines are several things; at
+    /// Replaces what is shown; without lines it is dismiss(). Several lines are several things; at
     /// most kMaxLines are shown, the last of them then says how many more there are. `details` is
     /// the technical text, which a button unfolds, at most kMaxDetails lines of it.
     void show(Severity severity, const QStringList &lines, std::vector<Verb> verbs = {},
               const QString &details = {});
-    /// The same, but what is shown now may be read first: this follows when it is closed.
+    /// The same, but what is shown now may be read first: this follows when it is closed. It is an
+    /// offer, which waits for its answer: it comes back when what was shown in its place is closed.
     void showNext(Severity severity, const QStringList &lines, std::vector<Verb> verbs);
+    /// What was said is over, of an earlier file for example. An offer stays.
+    void dismiss();
     /// The same without a change of what is said: in the colours of the theme.
     void refresh();
     QString text() const;
@@ -49,6 +52,7 @@ private:
     void setVerbs(std::vector<Verb> verbs);
 
     std::vector<std::function<void()>> m_next; // show what waits, in this order
+    std::function<void()> m_offer;             // shows what is shown; empty: it is none
     Severity m_severity = Severity::Warning;
     QLabel *m_icon = nullptr;
     QLabel *m_text = nullptr;

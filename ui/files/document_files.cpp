@@ -54,7 +54,7 @@ bool DocumentFiles::startNew()
 {
     if (!mayClose())
         return false;
-    m_messages.hide();
+    m_messages.dismiss();
     m_bench.session().reset(newDocument());
     m_bench.showAll("front");
     setPath({}, false, false);
@@ -176,7 +176,7 @@ bool DocumentFiles::revert()
     const std::optional<io::LoadedDocument> loaded = read(m_path);
     if (!loaded)
         return false;
-    m_messages.hide();
+    m_messages.dismiss();
     if (m_bench.interaction().hasGesture())
         m_bench.escape(); // a section that is still being drawn; else Esc would drop the selection
     m_bench.session().commit(tr("Revert to saved"), loaded->document);
@@ -258,7 +258,7 @@ bool DocumentFiles::saveFile(const QString &path)
         return false;
     }
     qCDebug(journal, "saved %s", digestOf(document).constData());
-    m_messages.hide();
+    m_messages.dismiss();
     m_bench.session().setSaved(document); // not what it may have become meanwhile
     setPath(path, true, true);
     settings().addRecentFile(path);
@@ -319,7 +319,7 @@ QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
 
 void DocumentFiles::showRecovered(const QString &path, const QString &name, const QDateTime &kept)
 {
-    m_messages.hide();
+    m_messages.dismiss();
     const QFileInfo info(path);
     // A copy or an import has a name without being that file.
     const bool isOnDisk = !path.isEmpty() && info.exists();

@@ -254,7 +254,7 @@ bool Exporting::writeSolids(const QString &path, const ExportKind &kind)
         });
     if (!*written)
         return tellFailure(path, kind, written->error());
-    m_messages.hide();
+    m_messages.dismiss();
     m_status.say(
         tr("Exported %1 as solids to %2.")
             .arg(sectionCountText(static_cast<int>(analysis->model.sectionCount())), name));
@@ -281,7 +281,7 @@ bool Exporting::writeSkin(const QString &path, const ExportKind &kind)
         });
     if (!*written)
         return tellFailure(path, kind, written->error());
-    m_messages.hide();
+    m_messages.dismiss();
     m_status.say(
         (*skin)->open > 0
             ? tr("Exported the skin to %1; %n places stay open.", "", (*skin)->open).arg(name)
@@ -309,7 +309,7 @@ bool Exporting::tellFailure(const QString &path, const ExportKind &kind, const E
             &m_bench.session(), &Session::committedChanged, this,
             [this] {
                 if (m_messages.text() == m_refusal)
-                    m_messages.hide();
+                    m_messages.dismiss();
             },
             Qt::SingleShotConnection);
     m_refusal = failure;

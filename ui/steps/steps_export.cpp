@@ -114,7 +114,7 @@ bool StepsExport::write(const Subject &subject, const QString &path)
         });
     if (!*written)
         return tellFailure(subject, path, written->error());
-    m_messages.hide();
+    m_messages.dismiss();
     const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
     const QString said = tr("%n step(s)", nullptr, static_cast<int>(count));
     m_status.say(

@@ -27,7 +27,7 @@ void MainWindow::importDrawing(const QString &command)
 void MainWindow::readDrawing(const QString &command, const QString &path)
 {
     showDocument();
-    m_messages->hide(); // of the drawing before
+    m_messages->dismiss(); // of the drawing before
     m_bench->run(command, {{"path", path.toStdString()}});
 }
 
@@ -59,7 +59,7 @@ void MainWindow::connectTemplates()
 void MainWindow::readMesh(const QString &path)
 {
     showDocument();
-    m_messages->hide(); // of the file before
+    m_messages->dismiss(); // of the file before
     tellImported(importMesh(*this, *m_bench, path));
 }
 
@@ -71,7 +71,7 @@ bool MainWindow::pastePicture()
     if (!picture)
         return false;
     showDocument();
-    m_messages->hide();
+    m_messages->dismiss();
     tellImported(importPicture(*this, *m_bench, *picture));
     return true;
 }
