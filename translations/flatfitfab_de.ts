@@ -3217,6 +3217,16 @@
     <message>
         <source>&amp;Unpin all parts</source>
         <translation>Alle Teile &amp;lösen</translation>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation>&amp;Tastenkürzel…</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>See which keys do what, and choose your own</source>
+        <translation>Sieh nach, welche Tasten was tun, und wähle eigene</translation>
     </message>
 </context>
 <context>
@@ -8945,6 +8955,11 @@
         <source>Problem</source>
         <translation>Problem</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 names sections, %2 is a sentence about them such as &quot;Tips only past 12°.&quot;</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -11996,6 +12011,273 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::SearchWords</name>
+    <message>
+        <source>begin create empty blank</source>
+        <translation>anfangen erstellen leer beginnen</translation>
+    </message>
+    <message>
+        <source>load import flatfab txt</source>
+        <translation>laden importieren flatfab txt</translation>
+    </message>
+    <message>
+        <source>add merge append combine</source>
+        <translation>hinzufügen zusammenführen anhängen</translation>
+    </message>
+    <message>
+        <source>store write</source>
+        <translation>sichern schreiben</translation>
+    </message>
+    <message>
+        <source>copy rename</source>
+        <translation>kopieren umbenennen</translation>
+    </message>
+    <message>
+        <source>reload discard</source>
+        <translation>neu laden verwerfen</translation>
+    </message>
+    <message>
+        <source>print laser cutter cnc plotter svg dxf pdf gcode lightburn make fabricate</source>
+        <translation>drucken laser lasern schneiden cnc plotter svg dxf pdf gcode lightburn herstellen fertigen</translation>
+    </message>
+    <message>
+        <source>preferences options configure dark light theme language units inches mouse navigation autosave animation</source>
+        <translation>optionen konfigurieren dunkel hell farben sprache einheiten zoll maus navigation sicherung animation</translation>
+    </message>
+    <message>
+        <source>keys hotkeys bindings</source>
+        <translation>tasten tastatur hotkeys kürzel</translation>
+    </message>
+    <message>
+        <source>exit leave</source>
+        <translation>verlassen schließen</translation>
+    </message>
+    <message>
+        <source>svg dxf import</source>
+        <translation>svg dxf importieren</translation>
+    </message>
+    <message>
+        <source>svg dxf import engrave</source>
+        <translation>svg dxf importieren gravieren</translation>
+    </message>
+    <message>
+        <source>stl obj picture image photo trace reference background</source>
+        <translation>stl obj bild foto abpausen durchzeichnen hintergrund</translation>
+    </message>
+    <message>
+        <source>back oops</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>again forward</source>
+        <translation>nochmal vor</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>zwischenablage</translation>
+    </message>
+    <message>
+        <source>copy clone</source>
+        <translation>kopieren klonen</translation>
+    </message>
+    <message>
+        <source>flip reflect symmetric</source>
+        <translation>umdrehen symmetrisch klappen</translation>
+    </message>
+    <message>
+        <source>remove erase trash</source>
+        <translation>entfernen weg papierkorb</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>search palette</source>
+        <translation>suche finden</translation>
+    </message>
+    <message>
+        <source>zoom centre center home</source>
+        <translation>zoom zentrieren mitte</translation>
+    </message>
+    <message>
+        <source>zoom focus</source>
+        <translation>zoom</translation>
+    </message>
+    <message>
+        <source>look straight</source>
+        <translation>draufsicht gerade</translation>
+    </message>
+    <message>
+        <source>orthographic isometric parallel camera</source>
+        <translation>orthografisch isometrisch parallel kamera</translation>
+    </message>
+    <message>
+        <source>transparent wireframe through</source>
+        <translation>durchsichtig transparent drahtmodell</translation>
+    </message>
+    <message>
+        <source>slice inside half</source>
+        <translation>schnitt innen hälfte</translation>
+    </message>
+    <message>
+        <source>surface shell cover</source>
+        <translation>oberfläche hülle</translation>
+    </message>
+    <message>
+        <source>solo alone</source>
+        <translation>allein einzeln</translation>
+    </message>
+    <message>
+        <source>unhide visible</source>
+        <translation>einblenden sichtbar</translation>
+    </message>
+    <message>
+        <source>invisible</source>
+        <translation>unsichtbar</translation>
+    </message>
+    <message>
+        <source>grid floor</source>
+        <translation>raster boden</translation>
+    </message>
+    <message>
+        <source>maximise maximize</source>
+        <translation>maximieren</translation>
+    </message>
+    <message>
+        <source>sidebars</source>
+        <translation>seitenleisten</translation>
+    </message>
+    <message>
+        <source>layout default</source>
+        <translation>anordnung standard</translation>
+    </message>
+    <message>
+        <source>mirror half</source>
+        <translation>spiegeln hälfte</translation>
+    </message>
+    <message>
+        <source>floor feet base</source>
+        <translation>füße standfläche</translation>
+    </message>
+    <message>
+        <source>magnet align guide</source>
+        <translation>magnet ausrichten fangen</translation>
+    </message>
+    <message>
+        <source>polygon line curve bezier path</source>
+        <translation>polygon linie kurve bezier pfad</translation>
+    </message>
+    <message>
+        <source>circle square rectangle polygon star</source>
+        <translation>kreis quadrat rechteck polygon stern</translation>
+    </message>
+    <message>
+        <source>engrave text letters etch label</source>
+        <translation>gravieren text buchstaben beschriften</translation>
+    </message>
+    <message>
+        <source>move rotate turn scale resize</source>
+        <translation>verschieben drehen skalieren größe</translation>
+    </message>
+    <message>
+        <source>opening window cutout</source>
+        <translation>öffnung fenster ausschnitt</translation>
+    </message>
+    <message>
+        <source>replace</source>
+        <translation>ersetzen</translation>
+    </message>
+    <message>
+        <source>array pattern repeat row ribs</source>
+        <translation>muster wiederholen reihe rippen</translation>
+    </message>
+    <message>
+        <source>spin around</source>
+        <translation>drehen herum</translation>
+    </message>
+    <message>
+        <source>loft morph between</source>
+        <translation>übergang dazwischen</translation>
+    </message>
+    <message>
+        <source>tree fork</source>
+        <translation>baum gabel</translation>
+    </message>
+    <message>
+        <source>waffle crate lattice</source>
+        <translation>waffel gitter raster</translation>
+    </message>
+    <message>
+        <source>spokes wheel gear polar</source>
+        <translation>speichen rad zahnrad</translation>
+    </message>
+    <message>
+        <source>rotate polar pattern</source>
+        <translation>drehen muster</translation>
+    </message>
+    <message>
+        <source>pattern repeat copies</source>
+        <translation>muster wiederholen kopien</translation>
+    </message>
+    <message>
+        <source>waffle layers stl</source>
+        <translation>waffel schichten stl</translation>
+    </message>
+    <message>
+        <source>convert explode apply</source>
+        <translation>umwandeln auflösen anwenden</translation>
+    </message>
+    <message>
+        <source>error warning issue</source>
+        <translation>fehler warnung</translation>
+    </message>
+    <message>
+        <source>assembly instructions animation play manual</source>
+        <translation>zusammenbau anleitung animation abspielen</translation>
+    </message>
+    <message>
+        <source>strength break simulation physics fem</source>
+        <translation>festigkeit brechen simulation physik fem</translation>
+    </message>
+    <message>
+        <source>load mass force</source>
+        <translation>last masse kraft</translation>
+    </message>
+    <message>
+        <source>force load</source>
+        <translation>kraft last</translation>
+    </message>
+    <message>
+        <source>material thickness plywood acrylic kerf</source>
+        <translation>material dicke sperrholz acryl schnittbreite</translation>
+    </message>
+    <message>
+        <source>nesting layout arrange</source>
+        <translation>verschachteln anordnen</translation>
+    </message>
+    <message>
+        <source>length distance size dimension</source>
+        <translation>länge abstand größe maß</translation>
+    </message>
+    <message>
+        <source>scale size resize</source>
+        <translation>skalieren größe</translation>
+    </message>
+    <message>
+        <source>manual tutorial documentation guide</source>
+        <translation>handbuch anleitung dokumentation einführung</translation>
+    </message>
+    <message>
+        <source>home welcome examples</source>
+        <translation>willkommen beispiele</translation>
+    </message>
+    <message>
+        <source>version licence license</source>
+        <translation>version lizenz</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::SectionPage</name>
     <message>
         <source>Stock</source>
@@ -12780,7 +13062,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1, %2</source>
-        <extracomment>%1 is a number of sections, %2 when it was saved</extracomment>
+        <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
     <message>
@@ -13478,6 +13760,13 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Tracing %1…</source>
         <translation>%1 wird nachgezeichnet …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Made %n section(s).</source>
+        <translation>
+            <numerusform>%n Scheibe gemacht.</numerusform>
+            <numerusform>%n Scheiben gemacht.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

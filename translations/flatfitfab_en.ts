@@ -952,6 +952,16 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateMaker</name>
+    <message numerus="yes">
+        <source>Made %n section(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplatesDock</name>
     <message numerus="yes">
         <source>%n triangles</source>

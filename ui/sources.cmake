@@ -2,6 +2,7 @@ target_sources(fff_ui PRIVATE
     actions/action_finder.cpp
     actions/action_set.cpp
     actions/menu_table.cpp
+    actions/search_words.cpp
     base/ago_text.cpp
     base/cursors.cpp
     base/expression_text.cpp

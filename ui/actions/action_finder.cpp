@@ -1,5 +1,7 @@
 #include "ui/actions/action_finder.h"
 
+#include "ui/actions/search_words.h"
+
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -10,7 +12,8 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kWordStart = 8, kInName = 5, kElsewhere = 2, kInSentence = 1; // points a word
+// Points a word.
+constexpr int kWordStart = 8, kInName = 5, kOtherWord = 3, kElsewhere = 2, kInSentence = 1;
 constexpr int kLeastScattered = 3; // letters; fewer are in every name and sentence
 
 QString withoutMarks(QString text)
@@ -42,7 +45,8 @@ void list(const QMenu &menu, const QString &path, QList<ListedAction> *result)
         if (action->menu())
             list(*action->menu(), path + QStringLiteral(" › ") + name, result);
         else
-            result->append({action, name, path, action->objectName(), action->whatsThis()});
+            result->append({action, name, path, action->objectName(), action->whatsThis(),
+                            searchWordsOf(action->objectName())});
     }
 }
 
@@ -85,7 +89,7 @@ int matchScore(const QString &query, const ListedAction &action)
 {
     static const QRegularExpression blanks(QStringLiteral("\\s+"));
     const QString name = folded(action.name), other = folded(action.menuPath) + u' ' + action.id;
-    const QString sentence = folded(action.does);
+    const QString sentence = folded(action.does), also = folded(action.also);
     const QStringList words = folded(query).split(blanks, Qt::SkipEmptyParts);
     int score = !words.isEmpty() && name.startsWith(words.join(u' ')) ? kWordStart : 0;
     bool isGuess = false;
@@ -94,6 +98,8 @@ int matchScore(const QString &query, const ListedAction &action)
             score += kWordStart;
         else if (name.contains(word))
             score += kInName;
+        else if (startsAWord(also, word))
+            score += kOtherWord;
         else if (other.contains(word, Qt::CaseInsensitive))
             score += kElsewhere;
         else if (word.size() >= kLeastScattered && startsAWord(sentence, word))

@@ -54,7 +54,9 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "select"},
 
         // What has its place on a bar, a page, a key or a right click.
-        {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain fabricate.sheets sheets.unpinAll", kSearchedMenu},
+        {QT_TR_NOOP("&File"),
+         "file.addToLibrary file.exportAgain fabricate.sheets file.shortcuts sheets.unpinAll",
+         kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "
          "edit.selectPrevious measure.ruler measure.dimension measure.keep measure.remove mirror.x "

@@ -55,6 +55,9 @@ constexpr CommandWords kWords[] = {
               "Go back to the model as it is in its file; Undo brings the changes back")},
     {"file.settings", FFF_TEXT("Command", "Se&ttings…"), FFF_TEXT("Command", "Settings"), "Ctrl+,",
      "settings", FFF_TEXT("Command", "Units, colours, language, files and shortcuts")},
+    {"file.shortcuts", FFF_TEXT("Command", "&Keyboard shortcuts…"),
+     FFF_TEXT("Command", "Shortcuts"), "", "keyboard",
+     FFF_TEXT("Command", "See which keys do what, and choose your own")},
     {"file.close", FFF_TEXT("Command", "&Close window"), FFF_TEXT("Command", "Close"), "Ctrl+W",
      "close_window", FFF_TEXT("Command", "Close this window; others stay open")},
     {"file.quit", FFF_TEXT("Command", "&Quit"), FFF_TEXT("Command", "Quit"), "Ctrl+Q", "quit",
@@ -148,6 +151,11 @@ void MainWindow::addCommands()
             return FFF_TEXT("Command", "Nothing has changed since it was saved");
         });
     add("file.settings", [this] { SettingsDialog(listedActions(*menuBar()), this).exec(); });
+    add("file.shortcuts", [this] {
+        SettingsDialog dialog(listedActions(*menuBar()), this);
+        dialog.showPage(SettingsDialog::Page::Keyboard);
+        dialog.exec();
+    });
     add("file.close", [this] { close(); });
     add("file.quit", [] { closeAllWindows(); });
     add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });

@@ -30,13 +30,13 @@ private:
 QList<ListedAction> TestActionFinder::some()
 {
     const auto listed = [](const char *name, const char *menu, const char *id,
-                           const char *does = "") {
-        return ListedAction{nullptr, QString::fromUtf8(name), QString::fromUtf8(menu),
-                            QLatin1String(id), QString::fromUtf8(does)};
+                           const char *does = "", const char *also = "") {
+        return ListedAction{nullptr,           QString::fromUtf8(name), QString::fromUtf8(menu),
+                            QLatin1String(id), QString::fromUtf8(does), QString::fromUtf8(also)};
     };
     return {listed("New", "File", "file.new"),
             listed("Open…", "File", "file.open"),
-            listed("Export cutting files…", "File", "file.export"),
+            listed("Export cutting files…", "File", "file.export", "", "print laser"),
             listed("Front", "View", "view.front"),
             listed("Fit everything", "View", "view.fitAll", "Show the whole model"),
             listed("Fit selection", "View", "view.fitSelection"),
@@ -81,6 +81,9 @@ void TestActionFinder::wordsFindActions_data()
     QTest::newRow("menu and name") << QStringLiteral("file new") << QStringLiteral("file.new");
     QTest::newRow("letters left out") << QStringLiteral("evrthng") << QStringLiteral("view.fitAll");
     QTest::newRow("what it does") << QStringLiteral("whole") << QStringLiteral("view.fitAll");
+    QTest::newRow("another word for it")
+        << QStringLiteral("laser") << QStringLiteral("file.export");
+    QTest::newRow("its beginning, too") << QStringLiteral("pri") << QStringLiteral("file.export");
     QTest::newRow("nothing typed yet") << QString() << QStringLiteral("file.new");
 }
 
@@ -98,6 +101,7 @@ void TestActionFinder::othersAreNotFound_data()
     QTest::addColumn<QString>("query");
     QTest::newRow("another word") << QStringLiteral("saxophone");
     QTest::newRow("one of two words") << QStringLiteral("front saxophone");
+    QTest::newRow("the middle of another word") << QStringLiteral("rint");
     QTest::newRow("letters in the wrong order") << QStringLiteral("tnorf");
 }
 

@@ -6,11 +6,14 @@
 #include "ui/actions/action_finder.h"
 #include "ui/actions/action_set.h"
 #include "ui/actions/menu_table.h"
+#include "ui/actions/search_words.h"
 
 #include <QMenu>
 #include <QMenuBar>
 #include <QSet>
 #include <QToolBar>
+
+#include <algorithm>
 
 using namespace fff;
 using namespace fff::ui;
@@ -66,6 +69,9 @@ private Q_SLOTS:
     void theyCanBeRead();
     void aRightClickIsShort();
     void everyCommandIsFound();
+    void whatPeopleTypeIsFound_data();
+    void whatPeopleTypeIsFound();
+    void otherWordsAreOfCommands();
     void keysWorkOutsideTheMenus();
     void buttonsForASectionComeWithIt();
 
@@ -115,6 +121,69 @@ void TestMenus::everyCommandIsFound()
     }
     for (const CommandWords *words : m_window->bench().commands().offered())
         QVERIFY2(found.contains(QLatin1String(words->id)), words->id);
+}
+
+void TestMenus::whatPeopleTypeIsFound_data()
+{
+    QTest::addColumn<QString>("id");
+    const auto row = [](const char *typed, const char *id) {
+        QTest::newRow(typed) << QString::fromLatin1(id);
+    };
+    row("keyboard", "file.shortcuts");
+    row("shortcuts", "file.shortcuts");
+    row("hotkey", "file.shortcuts");
+    row("print", "file.export");
+    row("laser", "file.export");
+    row("dxf", "file.export");
+    row("undo", "edit.undo");
+    row("grid", "operation.grid");
+    row("mirror", "edit.mirror");
+    row("flip", "edit.mirror");
+    row("dark", "file.settings");
+    row("language", "file.settings");
+    row("preferences", "file.settings");
+    row("zoom", "view.fitAll");
+    row("transparent", "view.xray");
+    row("rotate", "section.transform");
+    row("text", "section.mark");
+    row("circle", "section.addShape");
+    row("waffle", "operation.grid");
+    row("loft", "operation.blend");
+    row("photo", "template.addMesh");
+    row("stl", "template.addMesh");
+    row("material", "fabricate.stocks");
+    row("nesting", "fabricate.sheets");
+    row("instructions", "check.showAssembly");
+    row("fem", "check.stress");
+    row("tutorial", "help.firstSteps");
+}
+
+// Wrong: who does not know how the program calls it does not find it.
+void TestMenus::whatPeopleTypeIsFound()
+{
+    QFETCH(QString, id);
+    const QString typed = QString::fromLatin1(QTest::currentDataTag());
+    const QList<ListedAction> found = foundActions(typed, listedActions(*m_window->menuBar()));
+    QStringList first; // what is seen at a glance
+    for (const ListedAction &one : found.mid(0, 4))
+        first += one.id;
+    QVERIFY2(first.contains(id), qPrintable(first.join(u' ')));
+}
+
+// Wrong: words of a command that was renamed find nothing, and nobody sees it.
+void TestMenus::otherWordsAreOfCommands()
+{
+    const auto &offered = m_window->bench().commands().offered();
+    QSet<QString> ids;
+    for (const SearchWords &row : searchWords()) {
+        QVERIFY2(std::any_of(offered.begin(), offered.end(),
+                             [&](const CommandWords *words) {
+                                 return QLatin1String(words->id) == QLatin1String(row.id);
+                             }),
+                 row.id);
+        QVERIFY2(!ids.contains(QLatin1String(row.id)), row.id);
+        ids += QLatin1String(row.id);
+    }
 }
 
 // Wrong: F6 is dead, since Qt passes over the keys of what is in hidden menus alone.
