@@ -357,7 +357,7 @@ void registerOperationCommands(CommandRegistry &registry, Session &session,
             kind->isOfTemplate
                 ? needs([&session] { return !session.committed().document.templates.empty(); },
                         FFF_TEXT("Command", "There is no mesh to slice: add one first"))
-                : CommandRule();
+                : needsSections(session); // it asks for those that it needs
         registry.add(id, {[commands, kind](const CommandParameters &parameters, double time) {
                               return commands.add(*kind, parameters, time);
                           },

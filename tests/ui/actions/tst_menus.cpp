@@ -74,6 +74,7 @@ private Q_SLOTS:
     void otherWordsAreOfCommands();
     void keysWorkOutsideTheMenus();
     void buttonsForASectionComeWithIt();
+    void nothingIsRepeatedOfNothing();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -212,6 +213,17 @@ void TestMenus::buttonsForASectionComeWithIt()
     QVERIFY(has("section.redraw") && has("section.addHole"));
     bench.select({});
     QVERIFY(!has("section.redraw") && !has("section.addHole"));
+}
+
+// Wrong: a tool asks for a section to be clicked where there is none.
+void TestMenus::nothingIsRepeatedOfNothing()
+{
+    const auto isThere = [this](const char *id) { return actionOf(*m_window, id)->isEnabled(); };
+    for (const char *id : {"operation.linear", "operation.revolve", "operation.grid"})
+        QVERIFY2(!isThere(id), id);
+    m_window->bench().session().commit(QStringLiteral("draw"), squareDocument());
+    for (const char *id : {"operation.linear", "operation.revolve", "operation.grid"})
+        QVERIFY2(isThere(id), id);
 }
 
 FFF_TEST_WITH(TestMenus, [](int argc, char *argv[]) {
