@@ -31,9 +31,10 @@ constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
 
 constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
 constexpr NumberEdit::Range kCopies{0.0, 500.0, 1.0, 0, 0};
-constexpr int kFieldWidth = 104, kNarrowField = 88; // px
-const QString kNumber = QStringLiteral("\u22121888.8");   // fields have room for it
-constexpr int kFewFields = 3;                       // in a row of a view that is not wide
+constexpr int kFieldWidth = 104, kNarrowField = 88;     // px
+const QString kNumber = QStringLiteral("\u22121888.8"); // fields have room for it
+constexpr int kFewFields = 3;                           // in a row of a view that is not wide
+constexpr int kTypingPause = 400; // ms, after which what is typed is taken for the whole number
 
 /// Numbers of points come and go with what is typed; others stay with their tool.
 bool isOfPoint(ToolNumber::Kind kind)
@@ -103,6 +104,9 @@ CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
     m_buttonGrid->setContentsMargins(0, 0, 0, 0);
     m_buttonGrid->setSpacing(6);
     hide();
+    m_typing.setSingleShot(true);
+    m_typing.setInterval(kTypingPause);
+    connect(&m_typing, &QTimer::timeout, this, &CanvasBar::takeTyped);
     view->installEventFilter(this);
     connect(&bench, &Workbench::viewChanged, this, &CanvasBar::refresh);
     connect(qApp, &QApplication::focusChanged, this,
@@ -122,11 +126,16 @@ void CanvasBar::addField(ToolNumber::Kind kind, NumberEdit *edit, const QString 
     m_fields.push_back({kind, label, edit});
     auto *line = edit->findChild<QLineEdit *>();
     connect(line, &QLineEdit::textEdited, this, [this, kind, edit] {
-        if (const std::optional<double> typed = edit->typed())
+        // A model of a tenth of its size leaps at who types "50" and is at its 5.
+        if (kind == ToolNumber::Kind::Wanted)
+            m_typing.start();
+        else if (const std::optional<double> typed = edit->typed())
             take(kind, *typed);
     });
-    connect(edit, &NumberEdit::numberEdited, this,
-            [this, kind](double value) { take(kind, value); });
+    connect(edit, &NumberEdit::numberEdited, this, [this, kind](double value) {
+        m_typing.stop();
+        take(kind, value);
+    });
 }
 
 CanvasBar::Field *CanvasBar::field(ToolNumber::Kind kind)
@@ -161,6 +170,15 @@ void CanvasBar::take(ToolNumber::Kind kind, double shown)
 {
     if (field(kind) && isVisible())
         m_bench.setNumbers({{kind, numberShown(kind, shown)}});
+}
+
+/// The length that the whole is to have, once it stands there to its last digit.
+void CanvasBar::takeTyped()
+{
+    m_typing.stop();
+    const Field *wanted = field(ToolNumber::Kind::Wanted);
+    if (const auto typed = wanted ? wanted->edit->typed() : std::nullopt)
+        take(ToolNumber::Kind::Wanted, *typed);
 }
 
 /// The fields of what the tool takes now, with the numbers that it has.
@@ -227,6 +245,8 @@ void CanvasBar::accept()
         if (field.edit->isVisible() && !field.edit->refusal().isEmpty())
             return; // it says why, and stays
     }
+    if (m_typing.isActive())
+        takeTyped();
     const bool isTyped = m_isOpen;
     m_isOpen = false;
     parentWidget()->setFocus();
@@ -237,6 +257,7 @@ void CanvasBar::accept()
 
 void CanvasBar::close()
 {
+    m_typing.stop();
     const bool isTyped = m_isOpen;
     m_isOpen = false;
     parentWidget()->setFocus();
@@ -253,6 +274,7 @@ void CanvasBar::follow(QWidget *focus)
     if (entered != m_fields.end() && entered->kind != ToolNumber::Kind::Distance)
         m_isOpen = true;
     if (m_isOpen && focus && !isAncestorOf(focus) && focus->window() == window()) {
+        m_typing.stop();
         m_isOpen = false;
         m_bench.dropNumbers();
         refresh();

@@ -7,6 +7,8 @@
 
 #include "core/interaction/tool.h"
 
+#include <QTimer>
+
 #include <string_view>
 #include <vector>
 
@@ -20,7 +22,8 @@ class ActionSet;
 class NumberEdit;
 class Workbench;
 
-/// What is typed is shown in the view at once. Enter does it, Tab goes to the next field, Esc
+/// What is typed is shown in the view at once, what makes all of it larger or smaller when the
+/// number is whole. Enter does it, Tab goes to the next field, Esc
 /// closes the bar and leaves all as it was.
 class CanvasBar : public QFrame
 {
@@ -52,6 +55,7 @@ private:
     Field *field(ToolNumber::Kind kind);
     void refresh();
     void take(ToolNumber::Kind kind, double shown);
+    void takeTyped();
     void accept();
     void close();
     void follow(QWidget *focus);
@@ -66,6 +70,7 @@ private:
     std::vector<QToolButton *> m_commandButtons;
     QGridLayout *m_grid = nullptr, *m_buttonGrid = nullptr;
     std::vector<Field> m_fields;
+    QTimer m_typing;       // after the last key in the field of a wanted length
     bool m_isOpen = false; // something is typed, or was
 };
 
