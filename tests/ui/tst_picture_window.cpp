@@ -15,6 +15,7 @@
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/base/message_bar.h"
+#include "ui/base/sentence_label.h"
 
 #include <QBuffer>
 #include <QClipboard>
@@ -224,6 +225,10 @@ void TestPictureWindow::tracedIsWhatWasSeen()
     const std::vector<Polygon> seen = outlines();
     push("flat.sections");
     QTRY_COMPARE(count(), std::size_t(2));
+    // It is said, and what it was made of does not cover its points.
+    QVERIFY(
+        find<SentenceLabel>("statusSentence")->text().startsWith(QStringLiteral("Made 2 section")));
+    QVERIFY(outlines().empty());
     const Document made = session().committed().document;
     for (std::size_t i = 0; i < 2; ++i) {
         const Section &section = *made.sections[i];
@@ -401,10 +406,20 @@ void TestPictureWindow::aLineSaysHowLargeItIs()
     const Vec3 b = one().placement().inverse()(line->points.back());
     auto *field = find<QDoubleSpinBox>("canvasWanted");
     QTRY_VERIFY(field->isVisible());
+    // Not of each number on the way to it: 2, 21, 210.
+    std::vector<double> seen;
+    const auto watch =
+        connect(&session(), &Session::modelChanged, this, [&](const Model &, const Model &now) {
+            const Similarity there = now.document.templates.back()->placement();
+            seen.push_back((there(b) - there(a)).norm());
+        });
     key(Qt::Key_2);
     QTRY_VERIFY(field->hasFocus());
     QTest::keyClicks(field, QStringLiteral("10"));
     QTRY_VERIFY(session().hasPreview());
+    disconnect(watch);
+    QCOMPARE(seen.size(), std::size_t(1));
+    QVERIFY(std::abs(seen.front() - 210.0) < 1e-9);
     QTest::keyClick(field, Qt::Key_Return);
     QTRY_VERIFY(!interaction().tool());
     QVERIFY(!find<QPushButton>("templateSizeByLine")->isChecked());

@@ -9,6 +9,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include <array>
@@ -114,7 +115,11 @@ void FlatGroup::addTrace()
                                      : *as == 'h' ? DrawingAs::Holes
                                                   : DrawingAs::Engraved;
                    const PictureTrace with = trace(*one);
+                   const int step = m_bench.session().history()->index();
                    Q_EMIT traceWanted({one->id, kind, with, m_preview->known(*one, with)});
+                   // What it would make is made: it covers the points of that.
+                   if (m_bench.session().history()->index() != step)
+                       m_trace->fold();
                });
 }
 

@@ -104,7 +104,18 @@ void TemplateMaker::trace(const WantedTrace &wanted)
     else if (!*made)
         Q_EMIT failed(io::errorText(made->error()));
     else if (m_bench.session().committed().document.isSame(model.document))
-        m_bench.editSections(**made);
+        carryOut(**made);
+}
+
+/// And says what came of it, unless there is more to say than that.
+void TemplateMaker::carryOut(const SectionEdit &edit)
+{
+    const std::size_t before = m_bench.session().committed().sectionCount();
+    const bool isTold = !edit || edit->note;
+    m_bench.editSections(edit);
+    const std::size_t now = m_bench.session().committed().sectionCount();
+    if (!isTold && now > before)
+        Q_EMIT said(tr("Made %n section(s).", nullptr, static_cast<int>(now - before)));
 }
 
 void TemplateMaker::make(const QString &text, Last last, Work work)

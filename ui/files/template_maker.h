@@ -40,6 +40,8 @@ public:
 
 Q_SIGNALS:
     void failed(const QString &text);
+    /// What came of it.
+    void said(const QString &sentence);
 
 private:
     /// A model, and how many steps of the history led to it.
@@ -56,6 +58,7 @@ private:
         int step = 0;                             // of the history, behind it
         Document document;
     };
+    void carryOut(const SectionEdit &edit);
     using Work = std::function<Result<SectionEdit>(const Model &before, const LongWork &work)>;
 
     bool isNewest() const;

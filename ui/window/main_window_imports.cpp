@@ -52,6 +52,7 @@ void MainWindow::connectTemplates()
     connect(m_templates, &TemplatesDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(&m_bench->session(), &Session::committedChanged, m_templates,
             [this, maker] { m_templates->setHasSuggestion(maker->hasSuggestion()); });
+    connect(maker, &TemplateMaker::said, m_status, &StatusLine::say);
     connect(maker, &TemplateMaker::failed, m_messages,
             [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
 }
