@@ -44,6 +44,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/settings/tst_settings
     ui/sheets/tst_sheets_dock
     ui/start/tst_samples
+    ui/start/tst_start_page
     ui/tst_docks
     ui/tst_focus
     ui/tst_lengths

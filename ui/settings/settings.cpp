@@ -28,6 +28,7 @@ const QString kNavigation = QStringLiteral("view/navigation");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
 const QString kBackup = QStringLiteral("files/backup");
 const QString kRecent = QStringLiteral("files/recent");
+const QString kRecentTimes = QStringLiteral("files/recentTimes"); // "2026-11-28T10:00:00Z path"
 const QString kShortcuts = QStringLiteral("shortcuts");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
@@ -282,14 +283,29 @@ QStringList Settings::recentFiles() const
     return m_store.value(kRecent).toStringList().mid(0, kMaxRecentFiles);
 }
 
-void Settings::addRecentFile(const QString &path)
+void Settings::addRecentFile(const QString &path, const QDateTime &opened)
 {
     const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
     QStringList files = recentFiles();
     files.removeAll(absolute);
     files.prepend(absolute);
+    QStringList times;
+    for (const QString &file : files.mid(0, kMaxRecentFiles)) {
+        const QDateTime time = file == absolute ? opened : recentTime(file);
+        if (time.isValid())
+            times += time.toUTC().toString(Qt::ISODate) + u' ' + file;
+    }
+    store(kRecentTimes, times);
     if (store(kRecent, QStringList(files.mid(0, kMaxRecentFiles))))
         Q_EMIT recentFilesChanged();
+}
+
+QDateTime Settings::recentTime(const QString &path) const
+{
+    for (const QString &row : m_store.value(kRecentTimes).toStringList())
+        if (row.section(u' ', 1) == path)
+            return QDateTime::fromString(row.section(u' ', 0, 0), Qt::ISODate).toLocalTime();
+    return {};
 }
 
 void Settings::removeRecentFile(const QString &path)

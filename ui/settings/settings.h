@@ -14,6 +14,7 @@
 #include "ui/view/length_unit.h"
 
 #include <QByteArray>
+#include <QDateTime>
 #include <QKeySequence>
 #include <QList>
 #include <QObject>
@@ -112,7 +113,10 @@ public:
     void setKeepsBackup(bool keeps);
     /// Newest first, absolute. Also such that are gone by now.
     QStringList recentFiles() const;
-    void addRecentFile(const QString &path);
+    /// opened: when; the newest is the first of the list.
+    void addRecentFile(const QString &path, const QDateTime &opened = QDateTime::currentDateTime());
+    /// When one of them was opened or saved last here; not valid: that is not known.
+    QDateTime recentTime(const QString &path) const;
     void removeRecentFile(const QString &path);
     void clearRecentFiles();
     static constexpr int kMaxRecentFiles = 12;

@@ -24,9 +24,9 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLeftWidth = 260, kMargin = 24, kGap = 16; // px
-constexpr int kBesideCards = 20;                         // px: six columns in the usual window
-constexpr int kHeadingSize = 20;                         // px, UI.md section 4
-constexpr int kRowIcon = 20;                             // px
+constexpr int kBesideCards = 14; // px: six columns in the usual window, also beside a scroll bar
+constexpr int kHeadingSize = 20; // px, UI.md section 4
+constexpr int kRowIcon = 20;     // px
 
 void clear(QVBoxLayout *rows)
 {
@@ -225,10 +225,13 @@ void StartPage::fillRecent()
         card->setObjectName(QStringLiteral("recentCard"));
         card->setToolTip(QDir::toNativeSeparators(path));
         QString note = tr("missing");
-        if (info.exists())
-            note = agoText(info.lastModified(), now, locale());
-        else
+        const QDateTime opened = settings().recentTime(path);
+        if (!info.exists())
             card->setMissing();
+        else if (opened.isValid())
+            note = agoText(opened, now, locale());
+        else // a list of before there were times
+            note.clear();
         card->setNote(note);
         const auto remove = [path] { settings().removeRecentFile(path); };
         connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileChosen(path); });
@@ -292,7 +295,7 @@ void StartPage::showPicture(const QString &path, const QImage &picture, int sect
             shown.card->setPicture(picture);
             shown.card->setNote(shown.note.isEmpty()
                                     ? count
-                                    //: %1 is a number of sections, %2 when it was saved
+                                    //: %1 is a number of sections, %2 when it was opened last
                                     : tr("%1, %2").arg(count, shown.note));
         }
     }
