@@ -1,6 +1,6 @@
 #include "ui/properties/slider_field.h"
 
-#include <QHBoxLayout>
+#include <QBoxLayout>
 #include <QKeyEvent>
 #include <QSlider>
 #include <QWheelEvent>
@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kSettleTime = 350; // ms
 constexpr int kSliderWidth = 40; // px at least
+constexpr int kBesideWidth = 80; // px, of a slider that stands beside its field
+constexpr int kBetween = 8;      // px
 
 } // namespace
 
@@ -29,11 +31,11 @@ SliderField::SliderField(const Scale &scale, NumberEdit *edit, QWidget *parent)
     m_edit->setParent(this);
     m_edit->setFixedWidth(m_edit->minimumWidth());
     setFocusProxy(m_edit);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    row->addWidget(m_slider, 1);
-    row->addWidget(m_edit);
+    m_row = new QBoxLayout(QBoxLayout::LeftToRight, this);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(kBetween);
+    m_row->addWidget(m_slider, 1);
+    m_row->addWidget(m_edit);
 
     m_settled.setSingleShot(true);
     m_settled.setInterval(kSettleTime);
@@ -106,6 +108,19 @@ void SliderField::settle()
         return;
     m_before.reset();
     Q_EMIT settled(m_slider->value() * m_scale.notch);
+}
+
+/// A slider of a few pixels cannot be aimed with: in a narrow panel it has a line of its own.
+void SliderField::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool isBeside = width() >= kBesideWidth + kBetween + m_edit->width();
+    const auto direction = isBeside ? QBoxLayout::LeftToRight : QBoxLayout::BottomToTop;
+    if (direction == m_row->direction())
+        return;
+    m_row->setDirection(direction);
+    m_row->setSpacing(isBeside ? kBetween : 0);
+    updateGeometry();
 }
 
 bool SliderField::eventFilter(QObject *object, QEvent *event)

@@ -6,6 +6,7 @@
 
 #include "ui/properties/number_edit.h"
 
+class QBoxLayout;
 class QSlider;
 
 namespace fff::ui {
@@ -43,12 +44,14 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject *object, QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void follow(int notch);
     int toNotch(double number) const;
 
     Scale m_scale;
+    QBoxLayout *m_row = nullptr;
     QSlider *m_slider = nullptr;
     NumberEdit *m_edit = nullptr;
     QTimer m_settled;               // after the last key or click on the slider

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void aFieldForSomethingElseSettlesFirst_data();
     void aFieldForSomethingElseSettlesFirst();
     void theWheelIsForTheOneWithTheFocus();
+    void aNarrowOneHasALineOfItsOwn();
 
 private:
     int middle() const { return m_slider->width() / 2; }
@@ -205,6 +206,25 @@ void TestSliderField::theWheelIsForTheOneWithTheFocus()
     m_slider->setFocus();
     scroll();
     QCOMPARE(m_dragged->count(), 1);
+}
+
+// Wrong: a slider of 36 px, on which each pixel is three of a hundred.
+void TestSliderField::aNarrowOneHasALineOfItsOwn()
+{
+    const int field = m_edit->width();
+    for (const int width : {400, 110, 200, 120, 400}) {
+        m_field->resize(width, m_field->sizeHint().height());
+        const auto isBeside = [this] {
+            return m_slider->geometry().right() < m_edit->geometry().left();
+        };
+        QTRY_COMPARE(isBeside(), width >= 80 + 8 + field);
+        QTRY_VERIFY2(m_slider->width() >= 80, qPrintable(QString::number(m_slider->width())));
+        QCOMPARE(m_edit->width(), field);
+        QVERIFY(!m_slider->geometry().intersects(m_edit->geometry()));
+        m_slider->setFocus();
+        QTest::keyClick(m_slider, Qt::Key_Right);
+        QVERIFY(m_slider->hasFocus());
+    }
 }
 
 FFF_TEST_WITH(TestSliderField, fff::testing::runWithin<TestSliderField, QApplication>)
