@@ -13,6 +13,7 @@ fff_tests(tests_view LIBRARIES fff::view fff::session
         ui/tst_offscreen_image
         ui/view/tst_field_painter
         ui/view/tst_renderer
+        ui/view/tst_skin_scene
         ui/view/tst_things
     ALONE ui/view/tst_renderer)
 target_compile_definitions(tests_view PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")

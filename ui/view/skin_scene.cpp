@@ -11,7 +11,7 @@ constexpr double kSkinOpacity = 0.55;
 SceneTemplate sceneSkin(TemplateMeshPointer mesh)
 {
     const Box3 bounds = mesh->mesh->bounds();
-    return {std::move(mesh), Similarity::moved(bounds.center()), bounds, kSkinOpacity, false};
+    return {std::move(mesh), Similarity::moved(bounds.center()), bounds, kSkinOpacity, false, true};
 }
 
 } // namespace fff::ui

@@ -9,6 +9,11 @@ namespace {
 
 const QVector3D kClayDark(0x5c / 255.0F, 0x6e / 255.0F, 0x86 / 255.0F);
 const QVector3D kClayBright(0xf4 / 255.0F, 0xf7 / 255.0F, 0xfa / 255.0F);
+/// Of a skin, which is drawn over sheets that let light through, before a bright background.
+const QVector3D kSkinDark(0x2c / 255.0F, 0x3b / 255.0F, 0x52 / 255.0F);
+const QVector3D kSkinBright(0xb4 / 255.0F, 0xc1 / 255.0F, 0xd4 / 255.0F);
+/// A background that is darker than this leaves clay bright enough, HSL.
+constexpr double kDarkBackground = 0.5;
 /// Of the accent, what a selected one has of it.
 constexpr float kSelectedTint = 0.35F;
 
@@ -155,8 +160,11 @@ void TemplatePainter::draw(const SceneTemplate &one, const ViewStyle &style, Fra
     m_program->setUniformValue("toWorld", toFloat(matrixOf(one.placement)));
     m_program->setUniformValue("normalToWorld", toFloat(one.placement.turn));
     m_program->setUniformValue("opacity", static_cast<float>(one.opacity));
-    m_program->setUniformValue("dark", tinted(kClayDark, style.accent, one.isSelected));
-    m_program->setUniformValue("bright", tinted(kClayBright, style.accent, one.isSelected));
+    const bool isInk = one.isSkin && style.top.lightnessF() > kDarkBackground;
+    m_program->setUniformValue("dark",
+                               tinted(isInk ? kSkinDark : kClayDark, style.accent, one.isSelected));
+    m_program->setUniformValue(
+        "bright", tinted(isInk ? kSkinBright : kClayBright, style.accent, one.isSelected));
     m_gl.glFrontFace(one.placement.turn.determinant() < 0.0 ? GL_CW : GL_CCW);
     m_gl.glBindVertexArray(buffers.array);
     m_gl.glDrawElements(GL_TRIANGLES, buffers.count, GL_UNSIGNED_INT, nullptr);

@@ -21,13 +21,14 @@ struct SceneTemplate
     Box3 bounds;              // in the world, mm: contains it
     double opacity = kMeshOpacity;
     bool isSelected = false;
+    bool isSkin = false; // over sections, which it must be seen against
 
     bool operator==(const SceneTemplate &other) const
     {
         return mesh == other.mesh && placement.turn == other.placement.turn &&
                placement.scale == other.placement.scale &&
                placement.shift == other.placement.shift && opacity == other.opacity &&
-               isSelected == other.isSelected;
+               isSelected == other.isSelected && isSkin == other.isSkin;
     }
 };
 
