@@ -88,6 +88,7 @@ target_sources(fff_ui PRIVATE
     docks/operation_tree.cpp
     docks/outline_dock.cpp
     docks/outline_marks.cpp
+    docks/outline_tree.cpp
     docks/physics_dock.cpp
     docks/place_button.cpp
     docks/problem_box.cpp

@@ -12,12 +12,12 @@
 #include "ui/docks/load_tree.h"
 #include "ui/docks/operation_tree.h"
 #include "ui/docks/outline_marks.h"
+#include "ui/docks/outline_tree.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/view/view_style.h"
 
 #include <QApplication>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
@@ -54,37 +54,6 @@ bool showTheSame(const std::vector<std::shared_ptr<const Stock>> &a,
     });
 }
 
-/// A tree in which Space is for the eye.
-class OutlineTree : public QTreeWidget
-{
-public:
-    using QTreeWidget::QTreeWidget;
-    std::function<void(QTreeWidgetItem *)> toggle;
-    std::function<void()> left; // by the mouse
-
-protected:
-    bool viewportEvent(QEvent *event) override
-    {
-        if (event->type() == QEvent::Leave)
-            left();
-        return QTreeWidget::viewportEvent(event);
-    }
-    void keyPressEvent(QKeyEvent *event) override
-    {
-        if (event->key() == Qt::Key_Space && currentItem())
-            toggle(currentItem());
-        else
-            QTreeWidget::keyPressEvent(event);
-    }
-    QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
-                                                         const QEvent *event) const override
-    {
-        if (isOnButton(index, event, kLock))
-            return QItemSelectionModel::NoUpdate;
-        return QTreeWidget::selectionCommand(index, event);
-    }
-};
-
 } // namespace
 
 OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *parent)
@@ -99,7 +68,7 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     m_filter->setClearButtonEnabled(true);
     m_filter->addAction(rowIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
 
-    auto *tree = new OutlineTree(content);
+    auto *tree = new OutlineTree(kLock, content);
     tree->toggle = [this](QTreeWidgetItem *item) { press(item, kEye); };
     tree->left = [this] { pointAt(nullptr); };
     m_tree = tree;
