@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
 
 #include <utility>
@@ -16,27 +17,6 @@ namespace fff::ui {
 namespace {
 
 constexpr int kGlyphSize = 16; // px
-
-/// With the last press of the mouse on a row or a link.
-bool &isLinkClicked()
-{
-    static bool isClicked = false;
-    return isClicked;
-}
-
-/// Of a row: what the first press of a double click has mended is gone from under the cursor, and
-/// the second one would choose what came there.
-class SecondPress : public QObject
-{
-public:
-    explicit SecondPress(QObject *row) : QObject(row) { row->installEventFilter(this); }
-    bool eventFilter(QObject *, QEvent *event) override
-    {
-        if (event->type() == QEvent::MouseButtonPress)
-            isLinkClicked() = false;
-        return event->type() == QEvent::MouseButtonDblClick && isLinkClicked();
-    }
-};
 
 QLabel *label(QWidget *parent)
 {
@@ -70,10 +50,9 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     m_links = new LinkRow(this);
     m_links->setFont(small);
     connect(m_links, &LinkRow::clicked, this, [this](int index, bool isByKey) {
-        isLinkClicked() = !isByKey;
+        m_isPressed = false;
         Q_EMIT linkClicked(index, isByKey);
     });
-    new SecondPress(this);
     connect(m_links, &LinkRow::hovered, this, &CheckRow::linkHovered);
 
     auto *words = new QVBoxLayout;
@@ -94,6 +73,8 @@ void CheckRow::setContent(const Content &content)
 {
     if (content == m_content)
         return;
+    m_isPressed =
+        m_isPressed && content.glyph == m_content.glyph && content.title == m_content.title;
     m_content = content;
     m_title->setText(content.number == 0
                          ? content.title
@@ -149,6 +130,27 @@ void CheckRow::setLit(bool lit)
 {
     if (std::exchange(m_isLit, lit) != lit)
         update();
+}
+
+void CheckRow::mousePressEvent(QMouseEvent *event)
+{
+    m_isPressed = true;
+    QAbstractButton::mousePressEvent(event);
+}
+
+/// What the first press was on may be mended and gone by now, and this is what came there.
+void CheckRow::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (m_isPressed)
+        QAbstractButton::mouseDoubleClickEvent(event);
+    else
+        event->accept();
+}
+
+void CheckRow::moveEvent(QMoveEvent *event)
+{
+    m_isPressed = false;
+    QAbstractButton::moveEvent(event);
 }
 
 void CheckRow::enterEvent(QEnterEvent *event)

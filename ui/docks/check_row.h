@@ -46,12 +46,16 @@ Q_SIGNALS:
 protected:
     void paintEvent(QPaintEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void moveEvent(QMoveEvent *event) override;
     void enterEvent(QEnterEvent *event) override;
     void leaveEvent(QEvent *event) override;
 
 private:
     Content m_content;
     bool m_isLit = false;
+    bool m_isPressed = false; // last by a press on what it is now, and where it is
     QLabel *m_glyph = nullptr, *m_title = nullptr, *m_text = nullptr;
     LinkRow *m_links = nullptr;
 };
