@@ -9,6 +9,7 @@
 #include "tests/ui/window_program.h"
 #include "ui/base/sentence_label.h"
 #include "ui/docks/check_row.h"
+#include "ui/properties/link_row.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void itSaysWhatWasDone();
     void theSecondPressDoesNothing();
     void aClickShowsWhereInTheModelItIs();
+    void linksStandBelowTheWords();
 
 private:
     CheckRow *row() const { return m_window->findChild<CheckRow *>(QStringLiteral("checkRow0")); }
@@ -155,6 +157,17 @@ void TestCheckLinks::aClickShowsWhereInTheModelItIs()
     QCOMPARE(interaction().selection().size(), std::size_t(1));
     const double now = interaction().targetCamera().millimetresPerPixel;
     QVERIFY(now < 0.9 * all && now > all / 6.0);
+}
+
+// Wrong: links stand beside the edge that heading and text have.
+void TestCheckLinks::linksStandBelowTheWords()
+{
+    const auto edge = [this](const char *label) {
+        const auto *words = row()->findChild<QLabel *>(QLatin1String(label));
+        return words->mapTo(row(), words->contentsRect().topLeft()).x();
+    };
+    QCOMPARE(edge("checkText"), edge("checkTitle"));
+    QCOMPARE(link()->mapTo(row(), QPoint(LinkRow::kAround, 0)).x(), edge("checkTitle"));
 }
 
 FFF_TEST_WITH(TestCheckLinks, runInWindowProgram<TestCheckLinks>)

@@ -22,6 +22,7 @@ QLabel *label(QWidget *parent)
 {
     auto *made = new QLabel(parent);
     made->setWordWrap(true);
+    made->setContentsMargins(LinkRow::kAround, 0, 0, 0); // links stand below the words
     made->setAttribute(Qt::WA_TransparentForMouseEvents);
     return made;
 }
@@ -34,7 +35,8 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    m_glyph = label(this);
+    m_glyph = new QLabel(this);
+    m_glyph->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_glyph->setFixedSize(kGlyphSize + 2, kGlyphSize + 2);
     m_title = label(this);
     QFont bold = font();
@@ -63,7 +65,7 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     words->addWidget(m_links);
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(11, 7, 10, 8);
-    row->setSpacing(8);
+    row->setSpacing(8 - LinkRow::kAround);
     row->addWidget(m_glyph, 0, Qt::AlignTop);
     row->addLayout(words, 1);
     m_links->hide();

@@ -20,7 +20,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kBetween = 16; // px, with the dot in the middle
-constexpr int kAround = 2;   // px, for the frame of the focus
+constexpr int kAround = LinkRow::kAround;
 
 /// Where a link was clicked last, on the screen. What comes under a cursor that rests there was not
 /// pointed at: other links take the place of those that have done what they say.

@@ -15,6 +15,9 @@ class LinkRow : public QWidget
 {
     Q_OBJECT
 public:
+    /// px, round the words of a link, for the frame of the focus.
+    static constexpr int kAround = 2;
+
     explicit LinkRow(QWidget *parent = nullptr);
 
     /// Changes only what differs.
