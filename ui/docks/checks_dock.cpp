@@ -1,10 +1,10 @@
 #include "ui/docks/checks_dock.h"
 
+#include "core/analysis/findings/doubted_verdicts.h"
 #include "core/assembly/joint_state.h"
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
 #include "ui/base/icon.h"
-#include "ui/base/sentence_label.h"
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
 #include "ui/bench/workbench.h"
@@ -14,6 +14,8 @@
 #include "ui/settings/settings.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -67,7 +69,9 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
 
     m_footer = new QWidget(content);
     m_spinner = new QLabel(m_footer);
-    m_footerText = new SentenceLabel(m_footer);
+    m_footerText = new QLabel(m_footer);
+    m_footerText->setTextFormat(Qt::PlainText);
+    m_footerText->setWordWrap(true); // what is worked out is said to its end
     m_footerText->setObjectName(QStringLiteral("checksFooter"));
     m_footerText->setForegroundRole(QPalette::PlaceholderText);
     QFont italic = font();
@@ -214,6 +218,7 @@ void ChecksDock::refresh()
         isChosenThere = isChosenThere || isChosen;
     }
     m_empty->setVisible(m_rows.empty() && m_bench.session().model().sectionCount() == 0);
+    layRowsOut();
     if (focused)
         returnFocus(*focused);
     if (m_chosen && !isChosenThere)
@@ -222,6 +227,15 @@ void ChecksDock::refresh()
     refreshFooter();
     if (m_wish && m_list.areMendsOf(m_bench.session().committed()))
         carryOutWish();
+}
+
+/// At once: rows that wait for their places, while the view is drawn, lie over each other until
+/// then.
+void ChecksDock::layRowsOut()
+{
+    m_column->activate();
+    QEvent wanted(QEvent::LayoutRequest); // the area follows
+    QCoreApplication::sendEvent(m_area->widget(), &wanted);
 }
 
 /// In the view; without the dock there are no rows that they could be of.
@@ -273,7 +287,7 @@ void ChecksDock::refreshFooter()
     const QString words = work ? messageText(workOf(*work, m_list.scheduler().progress(work->name)))
                           : m_rows.empty() ? tr("Checking\u2026")
                                            : tr("Older than the drawing");
-    m_footerText->setSentence(words.toHtmlEscaped());
+    m_footerText->setText(words);
     m_spinner->setVisible(work != nullptr);
     const bool spins = work && !settings().reducesMotion();
     if (spins && !m_spin->isActive())
@@ -326,16 +340,19 @@ void ChecksDock::choose(int row, bool frames)
     Q_EMIT chosenChanged(m_chosen);
     for (std::size_t i = 0; i < m_widgets.size(); ++i)
         m_widgets[i]->setChecked(static_cast<int>(i) == row);
+    // Of a verdict that is doubted there is nothing to look at but what the doubt is about.
+    const Finding *doubter = doubterOf(finding, m_list.all());
+    const Finding about = doubter ? *doubter : finding;
     // What can be done about a joint is on its page.
-    if (finding.joint && hasJoint(m_bench.session().committed(), *finding.joint))
-        m_bench.selectJoint(*finding.joint);
+    if (about.joint && hasJoint(m_bench.session().committed(), *about.joint))
+        m_bench.selectJoint(*about.joint);
     else
-        m_bench.select(finding.sections);
+        m_bench.select(about.sections);
     if (entryAt(row).count() > 1)
         refresh(); // it says which of its places this is
     else
         markProblems();
-    if (frames && finding.sections.empty())
+    if (frames && about.sections.empty())
         m_bench.run(QStringLiteral("view.fitAll"));
     else if (frames) // half of the view is for what is round it
         m_bench.run(QStringLiteral("view.fitSelection"), {{"share", "0.5"}});

@@ -22,7 +22,6 @@ struct Stage;
 namespace fff::ui {
 
 class CheckRow;
-class SentenceLabel;
 class Workbench;
 
 class ChecksDock : public QDockWidget
@@ -56,6 +55,7 @@ Q_SIGNALS:
 
 private:
     void refresh();
+    void layRowsOut();
     void refreshFooter();
     const Stage *longWork() const;
     /// The place of it that it looks at.
@@ -90,8 +90,8 @@ private:
     QLabel *m_empty = nullptr;
     QWidget *m_footer = nullptr;
     QLabel *m_spinner = nullptr;
-    SentenceLabel *m_footerText = nullptr; // cut short rather than wider than the rows
-    QToolButton *m_stop = nullptr;         // what takes long
+    QLabel *m_footerText = nullptr;
+    QToolButton *m_stop = nullptr; // what takes long
     QTimer *m_spin = nullptr;
     int m_angle = 0; // degrees, of the spinner
     bool m_isChoosing = false;

@@ -51,19 +51,27 @@ Doubt doubtFrom(const Finding &finding)
 }
 
 /// Of all that is wrong, or is so far, the first that says anything against a verdict; what says
-/// something against most of them goes first.
-Text doubtOf(Verdict verdict, const std::vector<Finding> &found)
+/// something against most of them goes first. Null: none does.
+const Finding *doubterOf(Verdict verdict, const std::vector<Finding> &found)
 {
-    Doubt most;
+    const Finding *most = nullptr;
+    int against = 0; // verdicts
     for (const Finding &finding : found) {
         if (finding.severity != Severity::Error && !finding.isYet)
             continue;
         const Doubt doubt = doubtFrom(finding);
-        if ((doubt.against & verdict) != 0 &&
-            std::popcount(doubt.against) > std::popcount(most.against))
-            most = doubt;
+        if ((doubt.against & verdict) == 0 || std::popcount(doubt.against) <= against)
+            continue;
+        most = &finding;
+        against = std::popcount(doubt.against);
     }
-    return most.provided;
+    return most;
+}
+
+Text doubtOf(Verdict verdict, const std::vector<Finding> &found)
+{
+    const Finding *doubter = doubterOf(verdict, found);
+    return doubter ? doubtFrom(*doubter).provided : Text();
 }
 
 /// The same verdict as one that hangs on something.
@@ -102,6 +110,14 @@ void doubtVerdicts(std::vector<Finding> &found)
             if (finding.kind == row.kind)
                 row.doubt(finding, *row.as, provided);
     }
+}
+
+const Finding *doubterOf(const Finding &verdict, const std::vector<Finding> &found)
+{
+    for (const Doubted &row : kDoubted)
+        if (verdict.is(*row.as))
+            return doubterOf(row.verdict, found);
+    return nullptr;
 }
 
 VerdictDoubts verdictDoubts(const std::vector<Finding> &found)

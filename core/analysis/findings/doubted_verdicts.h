@@ -12,6 +12,10 @@ namespace fff {
 /// none that was made better or worse.
 void doubtVerdicts(std::vector<Finding> &found);
 
+/// Of a verdict that others among them doubt ("Would stand") the one that says why; null: it is
+/// none of these.
+const Finding *doubterOf(const Finding &verdict, const std::vector<Finding> &found);
+
 /// What keeps a model from going together as it is cut, from standing, and from being as strong as
 /// is worked out for it: "if it held together"; empty where nothing found does.
 struct VerdictDoubts
