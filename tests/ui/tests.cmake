@@ -57,6 +57,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/tst_theme
     ui/tst_translations
     ui/tst_words_in_view
+    ui/window/tst_badges
     ui/window/tst_dock_tabs
     ALONE ui/tst_translations)
 target_compile_definitions(tests_ui PRIVATE FFF_SOURCES="${PROJECT_SOURCE_DIR}"

@@ -13,6 +13,7 @@
 #include <QHBoxLayout>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace fff::ui {
@@ -60,6 +61,7 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
         row->addWidget(badge);
         m_badges.push_back(badge);
     }
+    m_row = m_badges;
     move(kMargin, kMargin);
     view->installEventFilter(this);
     connect(&list, &CheckList::changed, this, &Badges::refresh);
@@ -106,7 +108,29 @@ void Badges::refresh()
         }
         m_badges[i]->setVisible(shown != nullptr);
     }
+    // What is only tried, or being drawn, changes in place: a row that leaps cannot be read.
+    if (!tried && !m_isDrawing)
+        order();
     fold();
+}
+
+/// By weight: what is wrong, then what is not known, then what is good; of the same weight by
+/// subject.
+void Badges::order()
+{
+    std::vector<Badge *> ordered = m_badges;
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const Badge *a, const Badge *b) { return a->severity() > b->severity(); });
+    if (ordered == m_row)
+        return;
+    m_row = std::move(ordered);
+    auto *row = static_cast<QHBoxLayout *>(layout());
+    for (std::size_t i = 0; i < m_row.size(); ++i) {
+        row->removeWidget(m_row[i]);
+        row->insertWidget(static_cast<int>(i), m_row[i]);
+        if (i > 0)
+            setTabOrder(m_row[i - 1], m_row[i]);
+    }
 }
 
 /// Words are there as long as they leave the view cube free: those of what is good go first, then
@@ -118,7 +142,7 @@ void Badges::fold()
     const double end = cube ? cube->x() - 0.5 * kCubeRoom : view.width();
     std::vector<Badge *> unfolded;
     double width = kMargin;
-    for (Badge *badge : m_badges) {
+    for (Badge *badge : m_row) {
         badge->setFolded(false);
         if (badge->isHidden())
             continue;

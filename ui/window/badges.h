@@ -38,11 +38,13 @@ protected:
 
 private:
     void refresh();
+    void order();
     void fold();
 
     Workbench &m_bench;
     const CheckList &m_list;
     std::vector<Badge *> m_badges; // one a subject
+    std::vector<Badge *> m_row;    // the same as they stand there
     bool m_isDrawing = false;      // a stroke: the verdicts are on what it would make
 };
 
