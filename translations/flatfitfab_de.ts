@@ -3217,6 +3217,8 @@
     <message>
         <source>&amp;Unpin all parts</source>
         <translation>Alle Teile &amp;lösen</translation>
+    </message>
+    <message>
         <source>&amp;Keyboard shortcuts…</source>
         <translation>&amp;Tastenkürzel…</translation>
     </message>

@@ -955,9 +955,9 @@
     <name>fff::ui::TemplateMaker</name>
     <message numerus="yes">
         <source>Made %n section(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Made %n section.</numerusform>
+            <numerusform>Made %n sections.</numerusform>
         </translation>
     </message>
 </context>

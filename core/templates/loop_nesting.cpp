@@ -59,7 +59,7 @@ bool liesIn(const FlatLoop &loop, const FlatLoop &other)
 
 } // namespace
 
-void nest(std::vector<CutLoop> &loops, const Frame &frame)
+void nestLoops(std::vector<CutLoop> &loops, const Frame &frame)
 {
     std::vector<FlatLoop> flat(loops.size());
     for (std::size_t i = 0; i < loops.size(); ++i) {

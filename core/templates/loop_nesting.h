@@ -7,6 +7,6 @@ namespace fff {
 
 /// Works out area and hole of each loop, has them run as holes and others do, largest first.
 /// frame  on the plane. Cost  O(points of those whose boxes lie in each other).
-void nest(std::vector<CutLoop> &loops, const Frame &frame);
+void nestLoops(std::vector<CutLoop> &loops, const Frame &frame);
 
 } // namespace fff

@@ -50,7 +50,7 @@ PlaneCut planeCut(const TriangleMesh &mesh, const CutPlane &plane, const MeshTre
 {
     const auto cutWith = [&](const CutSegments &found) {
         PlaneCut cut{plane, closedChains(cutChains(mesh, plane, found.segments), plane)};
-        nest(cut.loops, frameOn(plane));
+        nestLoops(cut.loops, frameOn(plane));
         return cut;
     };
     const CutSegments below = cutSegments(mesh, plane, OnPlane::Above, tree);
