@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kDocument = "document.json", kBlobs = "blobs/";
 
-std::string nameOf(const std::string &sha256)
+std::string blobName(const std::string &sha256)
 {
     return std::string(kBlobs) + sha256;
 }
@@ -102,7 +102,7 @@ Result<LoadedDocument> readWhole(std::string_view document, const std::string &p
     };
     Result<LoadedDocument> loaded = readFff(document, place, source);
     if (loaded && !missing.empty())
-        return bad(name, nameOf(missing), QT_TRANSLATE_NOOP("Error", "this entry is missing"));
+        return bad(name, blobName(missing), QT_TRANSLATE_NOOP("Error", "this entry is missing"));
     return loaded;
 }
 
@@ -117,7 +117,7 @@ Result<LoadedDocument> readArchive(std::string_view bytes, const std::string &na
         return loaded;
     for (const auto &[hash, blob] : content->blobs) {
         if (!loaded->document.findBlob(hash))
-            return bad(name, nameOf(hash),
+            return bad(name, blobName(hash),
                        QT_TRANSLATE_NOOP("Error", "nothing in the document refers to this entry"));
     }
     return loaded;
@@ -143,7 +143,7 @@ Result<std::string> writeFffFile(const Document &document)
         return text;
     std::vector<PackedEntry> entries{{std::string(kDocument), *text}};
     for (const BlobPointer &blob : document.blobs)
-        entries.push_back({nameOf(blob->sha256), *blob->bytes});
+        entries.push_back({blobName(blob->sha256), *blob->bytes});
     return packed(entries);
 }
 

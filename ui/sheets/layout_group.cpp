@@ -95,7 +95,7 @@ void LayoutGroup::addSheet()
         const Stock &of = *m_bench.session().committed().document.find(stock());
         // Without their names, which the column has no room for: Export has them.
         const auto choiceOf = [this](const Vec2 &size) {
-            return Choice{sizeText({size.x(), size.y()}, 1, locale()), {}};
+            return Choice{sizeText({size.x(), size.y()}, 0, locale()), {}};
         };
         Choices choices;
         for (const SheetSize &sheet : commonSheets()) {

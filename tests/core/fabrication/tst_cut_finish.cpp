@@ -1,12 +1,12 @@
 // Tabs, leads and shared cuts. If this fails, parts fall out early or a lead cuts into a part.
+#include <QTest> // first: moc stumbles over some standard headers
+
 #include "core/fabrication/cutting_order.h"
 #include "core/fabrication/machine.h"
 #include "core/geometry/polygon.h"
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

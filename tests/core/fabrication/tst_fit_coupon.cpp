@@ -1,12 +1,12 @@
 // The fit coupon: what a person reads off it is written into the stock, so its slits have to be
 // what their numbers say.
+#include <QTest> // first: moc stumbles over some standard headers
+
 #include "core/fabrication/cutting_order.h"
 #include "core/fabrication/fit_coupon.h"
 #include "core/fabrication/machine.h"
 #include "core/model/materials.h"
 #include "tests/test_program.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

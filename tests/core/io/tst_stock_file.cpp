@@ -1,4 +1,6 @@
 // A stock as a file: what one person measured is what another one cuts with.
+#include <QTest> // first: moc stumbles over some standard headers
+
 #include "core/io/document_file.h"
 #include "core/io/stock_file.h"
 #include "core/model/edits.h"
@@ -7,7 +9,6 @@
 
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 
 using namespace fff;
 using namespace Qt::Literals::StringLiterals;

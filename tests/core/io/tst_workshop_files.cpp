@@ -1,5 +1,7 @@
 // What a workshop gets besides the sheets, and cuts with tabs and leads in each format. If this
 // fails, a file says something else than another one of the same parts.
+#include <QTest> // first: moc stumbles over some standard headers
+
 #include "core/analysis/cutting.h"
 #include "core/fabrication/cutting_order.h"
 #include "core/fabrication/fit_coupon.h"
@@ -15,7 +17,6 @@
 #include "tests/test_program.h"
 
 #include <QRegularExpression>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

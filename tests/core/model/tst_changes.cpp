@@ -96,10 +96,15 @@ private Q_SLOTS:
         listing->sections = document.sections;
         listing->drawn = listing->sections.size();
         listing->sections.push_back(generated("0", 0));
-        const Model before{document, {{}, listing}};
+        const auto withListing = [&](const std::shared_ptr<Listing> &of) {
+            Evaluation evaluation;
+            evaluation.listing = of;
+            return Model{document, evaluation};
+        };
+        const Model before = withListing(listing);
         listing = std::make_shared<Listing>(*listing);
         listing->sections.push_back(generated("1", 1));
-        const Model after{document, {{}, listing}};
+        const Model after = withListing(listing);
         QVERIFY(changedSections(before, after) == std::vector{made});
         QVERIFY(changedSections(after, before).empty());
     }

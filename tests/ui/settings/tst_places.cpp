@@ -1,4 +1,6 @@
 // Where a person's things are kept, with and without portable.txt beside the program.
+#include <QTest> // first: moc stumbles over some standard headers
+
 #include "tests/test_program.h"
 #include "ui/settings/places.h"
 
@@ -6,7 +8,6 @@
 #include <QFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <memory>
 
