@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.h"
 
+#include <QByteArrayList>
 #include <QGuiApplication>
 #include <QLocale>
 
@@ -26,13 +27,24 @@ QString helpText()
     return text + QLatin1Char('\n');
 }
 
+/// Of Qt, the first that can be reached.
+QByteArray platforms()
+{
 #if defined(Q_OS_WIN)
-constexpr const char *kPlatforms = "windows";
+    return "windows";
 #elif defined(Q_OS_MACOS)
-constexpr const char *kPlatforms = "cocoa";
+    return "cocoa";
 #else
-constexpr const char *kPlatforms = "xcb;wayland;offscreen"; // the first that can be reached
+    // Libraries of displays that are not there say so themselves, whatever Qt is told.
+    QByteArrayList found;
+    if (qEnvironmentVariableIsSet("DISPLAY"))
+        found.append("xcb");
+    if (qEnvironmentVariableIsSet("WAYLAND_DISPLAY"))
+        found.append("wayland");
+    found.append("offscreen");
+    return found.join(';');
 #endif
+}
 
 /// Only pictures need a display. Where none can be reached Qt's offscreen platform is taken, whose
 /// missing OpenGL the verb then speaks about, instead of an end without words.
@@ -47,7 +59,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
     if (!isPicture || asksForHelp)
         return std::make_unique<QCoreApplication>(argc, argv);
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", kPlatforms);
+        qputenv("QT_QPA_PLATFORM", platforms());
     // What Qt says about platforms that it tries is of no use to anyone here.
     const QtMessageHandler before =
         qInstallMessageHandler([](QtMsgType, const QMessageLogContext &, const QString &) {});

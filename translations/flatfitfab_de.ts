@@ -9065,9 +9065,9 @@
 <context>
     <name>fff::ui::CutRows</name>
     <message>
-        <source>%1: as wide as the stock is thick</source>
+        <source>%1: no clearance</source>
         <extracomment>%1 is the number of a slit</extracomment>
-        <translation>%1: so breit, wie das Material dick ist</translation>
+        <translation>%1: ohne Spiel</translation>
     </message>
     <message>
         <source>%1: %2 narrower</source>
@@ -13569,7 +13569,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Price of a sheet</source>
-        <translation>Preis einer Platte</translation>
+        <translation>Plattenpreis</translation>
     </message>
 </context>
 <context>

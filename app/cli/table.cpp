@@ -51,6 +51,8 @@ private:
         } else if (m_isQuoted && c != u'"') {
             m_cell += c;
         } else if (c == u'"' && (m_isQuoted || m_cell.trimmed().isEmpty())) {
+            if (!m_wasQuoted)
+                m_cell.clear(); // blanks before it
             m_isQuoted = !m_isQuoted;
             m_wasQuoted = true;
         } else if (c == m_separator) {

@@ -52,17 +52,17 @@
 // of what they are made, and what that came to ("result", as the number is in the file; another
 // number there is one by itself), of a joint by "a" and "b", of all else by "id"; "templates"
 // (core/model/template.h), of one all that is not said of it by default,
-// and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
-// these "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175),
-// "leadIn" and "bumps" (0), "price" (then it is not known); of an operation "on" (then true), "template" and "stock"
-// (of kinds that make sections of one) and "exceptions". Kinds of operations,
-// their roles and parameters: core/operations; a file keeps also those that do not count. `joints`
-// are those of which something is wanted (core/model/joint_override.h). A contour has three control
-// points a segment, p0 h h, a segment on each line; the last closes onto the first. A ref is the id
-// of a drawn section, or { "operation": id, "instance": "key" } for one that an operation makes;
-// the latter may name nothing now (dormant). `shapes` stand in the order of their first use;
-// sections that name the same index share one Shape, as they did when written. Unknown keys are
-// passed over: what changes the meaning of a file raises its version.
+// and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON
+// (core/io/fff_file.h), of these "mediaType" and "name"; of a stock "slitEnd" (then square),
+// "toolDiameter" (3.175), "leadIn" and "bumps" (0), "price" (then it is not known); of an operation
+// "on" (then true), "template" and "stock" (of kinds that make sections of one) and "exceptions".
+// Kinds of operations, their roles and parameters: core/operations; a file keeps also those that do
+// not count. `joints` are those of which something is wanted (core/model/joint_override.h). A
+// contour has three control points a segment, p0 h h, a segment on each line; the last closes onto
+// the first. A ref is the id of a drawn section, or { "operation": id, "instance": "key" } for one
+// that an operation makes; the latter may name nothing now (dormant). `shapes` stand in the order
+// of their first use; sections that name the same index share one Shape, as they did when written.
+// Unknown keys are passed over: what changes the meaning of a file raises its version.
 #pragma once
 
 #include "core/io/blobs.h"

@@ -66,7 +66,7 @@ std::optional<Error> nonsenseOf(const PinnedPlace &place)
         return bad("body", std::to_string(place.body), "the number of a part");
     if (!(std::abs(place.turn.norm() - 1.0) <= kPinnedTurnError))
         return bad("turn", "", "an angle");
-    if (!(place.offset.cwiseAbs().maxCoeff() <= kMaxCoordinate))
+    if (!place.offset.allFinite() || place.offset.cwiseAbs().maxCoeff() > kMaxCoordinate)
         return bad("offset", "", "a place on the sheet");
     return std::nullopt;
 }

@@ -65,6 +65,8 @@ std::optional<ExpressionError> rangeError(const Value &value, const Worth &worth
 EvaluatedValues EvaluatedValues::of(const Values &values, const EvaluatedValues &previous)
 {
     EvaluatedValues result;
+    if (values.list.empty())
+        return result;
     result.m_values = values;
     if (previous.m_graph && isSameGraph(values, previous.m_values)) {
         result.m_graph = previous.m_graph;

@@ -120,11 +120,14 @@ inline QString cutField(const QAbstractSpinBox &field)
     return tooNarrow(field.text(), QFontMetrics(field.font()).height(), line->height(), "high");
 }
 
+/// One that is an icon until it is in front says its name in its tip.
 inline QString cutTabs(const QTabBar &bar)
 {
     for (int i = 0; i < bar.count(); ++i) {
-        const QString cut =
-            tooNarrow(bar.tabText(i), widthOf(bar, bar.tabText(i)) + 12, bar.tabRect(i).width());
+        const bool isIcon = !bar.tabIcon(i).isNull() && i != bar.currentIndex() &&
+                            bar.tabToolTip(i) == bar.tabText(i);
+        const int needs = isIcon ? bar.iconSize().width() : widthOf(bar, bar.tabText(i));
+        const QString cut = tooNarrow(bar.tabText(i), needs + 12, bar.tabRect(i).width());
         if (!cut.isEmpty())
             return cut;
         if (!bar.rect().contains(bar.tabRect(i).adjusted(2, 2, -2, -2)))

@@ -45,7 +45,7 @@ QString slitNumberText(int number)
     const QString length = lengthText(std::abs(clearance), 2, 2, QLocale());
     if (clearance == 0.0)
         //: %1 is the number of a slit
-        return CutRowsTexts::tr("%1: as wide as the stock is thick").arg(number);
+        return CutRowsTexts::tr("%1: no clearance").arg(number);
     //: %1 is the number of a slit, %2 a length
     return clearance < 0.0
                ? CutRowsTexts::tr("%1: %2 narrower").arg(QString::number(number), length)

@@ -164,6 +164,9 @@ QWidget *SheetsDock::makeFoot()
     m_unpin->setObjectName(QStringLiteral("sheetsUnpin"));
     m_unpin->setTexts({tr("Unpin all")});
     row->addWidget(m_unpin);
+    // Sheets stay where they are as it comes.
+    foot->setMinimumHeight(m_unpin->sizeHint().height() + row->contentsMargins().top() +
+                           row->contentsMargins().bottom());
     connect(m_unpin, &LinkRow::clicked, this,
             [this] { m_bench.run(QStringLiteral("sheets.unpinAll")); });
     return foot;

@@ -342,12 +342,14 @@ void SheetsView::changeEvent(QEvent *event)
 
 bool SheetsView::event(QEvent *event)
 {
-    // Single letters are the view's elsewhere, and Esc is everybody's: while a part is dragged it
-    // is for that.
-    if (event->type() == QEvent::ShortcutOverride && m_doing != Hand::None &&
-        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
-        event->accept();
-        return true;
+    // Home is the window's, and Esc is everybody's: while a part is dragged it is for that.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        const bool isHome = key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier;
+        if (isHome || (key->key() == Qt::Key_Escape && m_doing != Hand::None)) {
+            event->accept();
+            return true;
+        }
     }
     if (event->type() == QEvent::ToolTip) {
         const auto *help = static_cast<QHelpEvent *>(event);

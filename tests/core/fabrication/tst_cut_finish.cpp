@@ -163,7 +163,7 @@ double sharedLength(const std::pair<Vec2, Vec2> &a, const std::pair<Vec2, Vec2> 
     if (std::abs(cross(u, b.first - a.first)) > 2e-3 ||
         std::abs(cross(u, b.second - a.first)) > 2e-3)
         return 0.0;
-    const auto [from, to] = std::minmax(u.dot(b.first - a.first), u.dot(b.second - a.first));
+    const auto [from, to] = std::minmax({u.dot(b.first - a.first), u.dot(b.second - a.first)});
     return std::min(to, way.norm()) - std::max(from, 0.0);
 }
 
@@ -278,7 +278,8 @@ void TestCutFinish::noSegmentTwice()
     const auto cuts = straightCuts(inCuttingOrder(finishedSheet(parts, places, finish)));
     for (std::size_t i = 0; i < cuts.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-            QVERIFY(sharedLength(cuts[i], cuts[k]) < 0.11);
+            QVERIFY2(sharedLength(cuts[i], cuts[k]) < 0.11,
+                     qPrintable(QString::number(sharedLength(cuts[i], cuts[k]))));
     // Without the wish they are as they are drawn.
     QVERIFY(inCuttingOrder(finishedSheet(parts, places, {})).size() == 10);
 }

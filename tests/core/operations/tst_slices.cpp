@@ -134,13 +134,13 @@ void TestSlices::hollowOnesKeepTheirWall()
 void TestSlices::smallPiecesAreLeftOut()
 {
     MeshDraft two = sphere(50.0, 60, 90);
-    append(two, moved(sphere(2.0, 20, 30), {0, 0, 80}));
+    append(two, moved(sphere(5.0, 20, 30), {0, 0, 80}));
     const Document document = withMesh(two);
     const auto slices = [&](double least) {
         return evaluate(withSlices(
             document, {{"direction", std::string("x")}, {"count", 1.0}, {"smallest", least}}));
     };
-    const Model all = slices(0.0), large = slices(50.0);
+    const Model all = slices(0.0), large = slices(100.0);
     QCOMPARE(all.sectionCount(), std::size_t(2));
     QCOMPARE(large.sectionCount(), std::size_t(1));
     QCOMPARE(large.evaluation.results[0]->notices.size(), std::size_t(1));

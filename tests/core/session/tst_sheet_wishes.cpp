@@ -242,8 +242,8 @@ void TestSheetWishes::brokenFilesAreTold_data()
     row("a body before the first", "\"body\": 1", "\"body\": -1", "a.fff:$.pins[0].body");
     row("a turn that is none", "\"turn\": [0, 1]", "\"turn\": [1, 1]", "a.fff:$.pins[0].turn");
     row("nowhere", "\"at\": [30, 40]", "\"at\": [30]", "a.fff:$.pins[0].at");
-    row("a section that is not there", "{\"section\": 3, \"sheet\"",
-        "{\"section\": 33, \"sheet\"", "a.fff:$.pins[1].section");
+    row("a section that is not there", "{\"section\": 3, \"sheet\"", "{\"section\": 33, \"sheet\"",
+        "a.fff:$.pins[1].section");
     row("the same part twice", "{\"section\": 3, \"sheet\"",
         "{\"section\": 2, \"body\": 1, \"sheet\"", "a.fff:$.pins[1]");
     row("an unknown turning", "\"half\"", "\"third\"", "a.fff:$.turnings[0].turning");
