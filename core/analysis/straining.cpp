@@ -267,7 +267,12 @@ void Straining::strain(double scale, std::span<const int> bodies, Detail detail,
             if (hasForces[k][i])
                 cases.push_back(&forces[k][i]);
         BodyStrength &body = strength.bodies[i];
-        body = cases.empty() ? BodyStrength() : worstOf(index, cases, detail, rooms);
+        body = BodyStrength();
+        // What hangs by nothing does so before anybody can say which forces pull at it.
+        if (!cases.empty() || detail == Detail::WithLines)
+            lookForNecks(index, body);
+        if (!cases.empty())
+            strain(index, cases, detail, rooms, body);
         body.strength = strengthOf(stockOf(index), m_rules);
         body.isWorkedOut = hasForces.front()[i] && (cases.empty() || body.isWorkedOut);
     }
@@ -344,18 +349,21 @@ SheetMaterial Straining::sheetOf(int body) const
     return sheet;
 }
 
-/// Of the cases, which act in the same places, those are looked at closely that may be worst.
-BodyStrength Straining::worstOf(int index,
-                                const std::vector<const std::vector<AppliedForce> *> &cases,
-                                Detail detail, Rooms &rooms) const
+void Straining::lookForNecks(int index, BodyStrength &body) const
 {
-    BodyStrength body;
+    const std::shared_ptr<const SectionCuts> cuts = cutsOf(index);
+    body.isPinched = cuts->isPinched();
+    if (const CutSample *sample = cuts->thinnest())
+        body.thinnest = sample->neck;
+}
+
+/// Of the cases, which act in the same places, those are looked at closely that may be worst.
+void Straining::strain(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
+                       Detail detail, Rooms &rooms, BodyStrength &body) const
+{
     body.isWorkedOut = true;
     const std::shared_ptr<const SectionCuts> kept = cutsOf(index);
     const SectionCuts &cuts = *kept;
-    body.isPinched = cuts.isPinched();
-    if (const CutSample *sample = cuts.thinnest())
-        body.thinnest = sample->neck;
     const SheetMaterial sheet = sheetOf(index);
     const CutShares &shares = sharesOf(index, kept, *cases.front(), sheet.thickness);
     std::deque<SampleStresses> stresses; // by cases
@@ -390,7 +398,6 @@ BodyStrength Straining::worstOf(int index,
         body.cornerUse = body.corner ? body.corner->cornerUse : 0.0;
         body.lines = lines.take();
     }
-    return body;
 }
 
 } // namespace fff

@@ -42,8 +42,9 @@ private:
     enum class Detail { Grid, Refined, WithLines };
     /// Lists of necks that are used again, one for each case: a body more costs no memory.
     using Rooms = std::vector<std::vector<NeckStress>>;
-    BodyStrength worstOf(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
-                         Detail detail, Rooms &rooms) const;
+    void lookForNecks(int index, BodyStrength &body) const;
+    void strain(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
+                Detail detail, Rooms &rooms, BodyStrength &body) const;
     void strain(double scale, std::span<const int> bodies, Detail detail, Strength &strength) const;
 
     const Analysis &m_analysis;

@@ -35,7 +35,8 @@ const FindingKind kHangsByNothing{
     .subject = Subject::Strength,
     .title = FFF_TEXT("Checks", "Falls apart"),
     .sentence = hangsSentence,
-    .advice = FFF_TEXT("Checks", "Make it wider there, or move apart what touches it.")};
+    .advice = FFF_TEXT("Checks", "Make it wider there, or move apart what touches it."),
+    .isLoss = true};
 const FindingKind kThinNeck{.name = "thinNeck",
                             .subject = Subject::Strength,
                             .title = FFF_TEXT("Checks", "Too little material"),

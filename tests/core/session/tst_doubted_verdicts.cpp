@@ -144,34 +144,36 @@ void TestDoubtedVerdicts::aPieceWithWhatItCarries()
 // Wrong: "Stands" was green beside "Falls apart".
 void TestDoubtedVerdicts::whatHangsByNothing()
 {
-    for (const double half : {0.005, 4.0}) { // mm, of the neck
-        const ShapePointer dumbbell = polygonShape({{-60, -30},
-                                                    {-20, -30},
-                                                    {-20, -half},
-                                                    {20, -half},
-                                                    {20, -30},
-                                                    {60, -30},
-                                                    {60, 30},
-                                                    {20, 30},
-                                                    {20, half},
-                                                    {-20, half},
-                                                    {-20, 30},
-                                                    {-60, 30}});
-        const Frame lying{{0, 1.5, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
-        const Staged all = staged(withSection(newDocument(), dumbbell, lying));
-        const bool hangs = half < 1.0;
-        QCOMPARE(find(all.found, kHangsByNothing) != nullptr, hangs);
-        QCOMPARE(find(all.found, kStands) == nullptr, hangs);
-        QCOMPARE(find(all.found, kWouldStand) != nullptr, hangs);
-        QCOMPARE(find(all.found, kConnected) == nullptr, hangs);
-        QCOMPARE(find(all.found, kCanAssemble) == nullptr, hangs);
-        if (!hangs)
-            continue;
-        QCOMPARE(textOf(all, kWouldConnect),
-                 QStringLiteral("Would be connected if nothing fell apart."));
-        QCOMPARE(textOf(all, kCouldAssemble),
-                 QStringLiteral("Could be assembled if nothing fell apart."));
-    }
+    // Wrong: what was not on the ground was green until it was raised to it.
+    for (const double height : {1.5, -20.0, 30.0}) // mm, of its middle
+        for (const double half : {0.005, 4.0}) {   // mm, of the neck
+            const ShapePointer dumbbell = polygonShape({{-60, -30},
+                                                        {-20, -30},
+                                                        {-20, -half},
+                                                        {20, -half},
+                                                        {20, -30},
+                                                        {60, -30},
+                                                        {60, 30},
+                                                        {20, 30},
+                                                        {20, half},
+                                                        {-20, half},
+                                                        {-20, 30},
+                                                        {-60, 30}});
+            const Frame lying{{0, height, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+            const Staged all = staged(withSection(newDocument(), dumbbell, lying));
+            const bool hangs = half < 1.0;
+            QCOMPARE(find(all.found, kHangsByNothing) != nullptr, hangs);
+            QCOMPARE(find(all.found, kStands) == nullptr, hangs || height != 1.5);
+            QCOMPARE(find(all.found, kWouldStand) != nullptr, hangs && height == 1.5);
+            QCOMPARE(find(all.found, kConnected) == nullptr, hangs);
+            QCOMPARE(find(all.found, kCanAssemble) == nullptr, hangs);
+            if (!hangs)
+                continue;
+            QCOMPARE(textOf(all, kWouldConnect),
+                     QStringLiteral("Would be connected if nothing fell apart."));
+            QCOMPARE(textOf(all, kCouldAssemble),
+                     QStringLiteral("Could be assembled if nothing fell apart."));
+        }
 }
 
 void TestDoubtedVerdicts::slitsThatDoNotFit_data()
