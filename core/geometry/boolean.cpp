@@ -12,8 +12,9 @@ namespace fff {
 
 namespace {
 
-/// kResolveChord as a fraction of a contour's extent, where that is more than a metre: chords that
-/// fine along hundreds of metres would be millions, and Clipper needs their square.
+/// kResolveChord as a fraction of a contour's extent, where that is more than metres: chords that
+/// fine along hundreds of metres would be millions, and Clipper needs their square. No coarser than
+/// crossings are looked for.
 constexpr double kResolveFraction = 1e-7;
 /// What is cut at the edge of what a document may hold may reach this far, mm.
 constexpr double kFarthest = 8.0 * kMaxCoordinate;
@@ -97,21 +98,52 @@ double perimeter(const GridRing &ring)
     return sum;
 }
 
+/// More than what rounding leaves along its own border.
+bool isLoop(const GridRegion &region)
+{
+    return area(region) > std::max(kMinArea / (kClipGrid * kClipGrid),
+                                   perimeter(region.outer) * kClipSlack / kClipGrid);
+}
+
+/// What the ring winds round twice and more, where it winds once round all of `once`.
+Result<std::vector<GridRegion>> woundAgain(const GridRing &ring,
+                                           const std::vector<GridRegion> &once)
+{
+    std::vector<GridRing> rings{ring};
+    const auto addReversed = [&rings](const GridRing &border) {
+        rings.emplace_back(border.rbegin(), border.rend());
+    };
+    for (const GridRegion &region : once) {
+        addReversed(region.outer);
+        std::for_each(region.holes.begin(), region.holes.end(), addReversed);
+    }
+    return clip(rings, Winding::Positive, {});
+}
+
 /// Whether the ring winds round something twice or the wrong way. A ring that only touches itself
 /// winds once round everything inside; what rounding to the grid adds is a sliver along the ring.
+/// Where the ring is long that sliver may be more than a loop: these are looked at by themselves.
 Result<bool> windsOddly(GridRing ring)
 {
     ring = counterClockwise(std::move(ring));
     const double sliver = perimeter(ring) * kClipSlack / kClipGrid;
+    const auto isAnyLoop = [](const std::vector<GridRegion> &regions) {
+        return std::any_of(regions.begin(), regions.end(), isLoop);
+    };
     const Result<std::vector<GridRegion>> against = clip({ring}, Winding::Negative, {});
     if (!against)
         return tl::unexpected(against.error());
-    if (areaOf(*against) > sliver)
+    if (areaOf(*against) > sliver || isAnyLoop(*against))
         return true;
     const Result<std::vector<GridRegion>> along = clip({ring}, Winding::Positive, {});
     if (!along)
         return tl::unexpected(along.error());
-    return std::abs(areaOf(*along) - signedArea(ring)) > sliver;
+    if (std::abs(areaOf(*along) - signedArea(ring)) > sliver)
+        return true;
+    const Result<std::vector<GridRegion>> again = woundAgain(ring, *along);
+    if (!again)
+        return tl::unexpected(again.error());
+    return isAnyLoop(*again);
 }
 
 /// A grid has a place for each of its points.
@@ -209,7 +241,7 @@ Result<ResolvedContour> resolveCrossings(const Contour &contour)
     // Sharp tips carry loops smaller than the usual chords: a contour that crosses itself anywhere
     // is looked at closely once, so that none stays in it.
     const double chord =
-        std::max(kResolveChord, kResolveFraction * contour.bounds().size().maxCoeff());
+        std::clamp(kResolveFraction * contour.bounds().size().maxCoeff(), kResolveChord, kCutChord);
     Result<std::vector<CurvedRegion>> regions =
         windingRegions({contour}, WindingRule::NonZero, chord);
     if (!regions)

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/clip_grid.h"
+#include "core/geometry/halfplane_clip.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
@@ -140,6 +141,7 @@ private Q_SLOTS:
     void simpleContourIsNotCrossing();
     void crossingContourIsResolved_data();
     void crossingContourIsResolved();
+    void narrowLoopOfALongContour();
     void emptyContourIsAnError();
     void fiveHundredVerticesTwentySlits();
 };
@@ -488,6 +490,19 @@ void TestBoolean::crossingContourIsResolved()
     const auto again = resolveCrossings(resolved->contour);
     QVERIFY(again);
     QVERIFY(!again->wasCrossing);
+}
+
+// Wrong: of what is hundreds of metres long a narrow loop was taken for rounding, and crossed once
+// all but its place was cut away.
+void TestBoolean::narrowLoopOfALongContour()
+{
+    const auto resolved = resolveCrossings(polygonContour(
+        {{-50, -250000}, {50, 25}, {50, -25}, {-50, -25}, {-50, 83000}, {-83000, -332000}}));
+    QVERIFY(resolved);
+    QVERIFY(resolved->wasCrossing);
+    const auto above = clip(resolved->contour, {}, {Vec2(0, -80), Vec2::UnitY()});
+    QVERIFY(above && !above->empty());
+    QVERIFY(isPlain(above->front().outer, {}, kCutChord));
 }
 
 // Wrong: a line would become a section.
