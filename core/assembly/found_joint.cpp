@@ -1,8 +1,8 @@
 #include "core/assembly/found_joint.h"
 
 #include "core/assembly/crossing.h"
-#include "core/assembly/grid_side.h"
 #include "core/assembly/joint_wish.h"
+#include "core/assembly/slice_wish.h"
 
 #include <memory>
 #include <utility>
@@ -50,8 +50,11 @@ JointSide sideOf(const Model &model, int section)
 JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
 {
     JointWish known = wish;
+    const JointWish ofSlices = wishInSlices(model, a, b, crossing);
     if (known.sign == 0)
-        known.sign = sideInGrid(model, a, b, crossing);
+        known.sign = ofSlices.sign;
+    if (known.shares.empty() && known.sign == ofSlices.sign)
+        known.shares = ofSlices.shares;
     return cutSlits(crossing, sideOf(model, a), sideOf(model, b), isLower(model, a, b), known);
 }
 

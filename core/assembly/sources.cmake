@@ -14,7 +14,7 @@ target_sources(fff_core PRIVATE
     assembly/finger_grips.cpp
     assembly/fingers.cpp
     assembly/found_joint.cpp
-    assembly/grid_side.cpp
+    assembly/slice_wish.cpp
     assembly/grips.cpp
     assembly/intervals.cpp
     assembly/joint.cpp

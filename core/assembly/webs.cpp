@@ -126,6 +126,18 @@ private:
     Box2 m_box;
 };
 
+/// Cut along one line from one mouth: of planes that all cross in one axis. Nothing is between
+/// them.
+bool areOneSlit(const Slit &a, const Slit &b)
+{
+    if (!a.isOpen || !b.isOpen)
+        return false;
+    const Vec2 way = (a.mouth - a.inner).normalized();
+    return way.dot(b.mouth - b.inner) > 0.0 &&
+           std::abs(cross(way, b.inner - a.inner)) <= kTouchingDepth &&
+           std::abs(cross(way, b.mouth - a.inner)) <= kTouchingDepth;
+}
+
 Nearest2 betweenSlits(const Taken &a, const Taken &b)
 {
     Nearest2 nearest;
@@ -235,8 +247,9 @@ void Webs::addBetweenSlits()
             const auto [first, second] = std::minmax(order[i], order[k]);
             if (!reach.intersects(m_boxes[order[k]]))
                 continue;
+            const Slit &a = m_slits[first], &b = m_slits[second];
             const Nearest2 nearest = betweenSlits(m_taken[first], m_taken[second]);
-            if (nearest.distance > 0.0 || m_slits[first].guest != m_slits[second].guest)
+            if (nearest.distance > 0.0 || (a.guest != b.guest && !areOneSlit(a, b)))
                 add(Web::Between::Slits, nearest, first, second);
         }
     }

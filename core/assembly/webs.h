@@ -16,7 +16,8 @@ struct Web
 };
 
 /// Those narrower than `limit` (mm), each pair once, by `slit`. Slits of one joint may run into
-/// each other: then one slides through the other's. At its mouth a slit parts the contour: what
+/// each other: then one slides through the other's. So may those along one line from one mouth, of
+/// sections that cross in one axis. At its mouth a slit parts the contour: what
 /// runs out there is no web, as far as it takes a contour that slants by 30°, nor is what its
 /// lead-ins leave. A slit that runs into a hole, or out of the contour beside its mouth, leaves
 /// nothing between them; where only the relief of its end does, that is a web of width 0. Tabs and

@@ -4,11 +4,36 @@
 #include "core/analysis/findings/moving_slits.h"
 #include "core/analysis/findings/touching_pairs.h"
 
+#include "core/base/groups.h"
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 
 namespace fff {
 
 namespace {
+
+bool isOneAxis(const Axis &a, const Axis &b)
+{
+    const Vec3 between = b.point - a.point;
+    return a.direction.cross(b.direction).norm() <= kPracticallyParallel &&
+           a.direction.cross(between).norm() <= kTouchingDepth;
+}
+
+/// Of sections that all cross in one axis most pairs hold nothing, and need not: each is held by
+/// the one whose stretch of the axis is beside its own.
+bool areHeldByOthers(const Joint &joint, const Analysis &analysis)
+{
+    const auto groupOf = [](int section) { return static_cast<std::size_t>(section); };
+    if (!joint.crossing)
+        return false;
+    Groups held(analysis.model.sectionCount());
+    for (const Joint &other : analysis.assembly.joints)
+        if (&other != &joint && other.crossing && !analysis.grips.of(other).held.empty() &&
+            isOneAxis(joint.crossing->axis, other.crossing->axis))
+            held.join(groupOf(other.a), groupOf(other.b));
+    return held.firstOf(groupOf(joint.a)) == held.firstOf(groupOf(joint.b));
+}
 
 Message looseJointSentence(const Finding &finding, const Model &model)
 {
@@ -78,7 +103,7 @@ void findLooseJoints(const Looked &at, std::vector<Finding> &found)
     const Analysis &analysis = at.analysis;
     for (const Joint &joint : analysis.assembly.joints) {
         const std::optional<LooseSlit> &loose = analysis.grips.of(joint).loose;
-        if (!loose || onlyTouch(joint, at.rules))
+        if (!loose || onlyTouch(joint, at.rules) || areHeldByOthers(joint, analysis))
             continue;
         const bool isInA = loose->isInA;
         Finding finding = makeFinding(kLooseJoint, Severity::Warning, LooseJoint{*loose});

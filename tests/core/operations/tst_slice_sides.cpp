@@ -1,6 +1,7 @@
 // To which side the slits of a mesh's slices open.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/analysis.h"
 #include "core/assembly/assembly.h"
 #include "core/base/tolerances.h"
 #include "core/model/template_edits.h"
@@ -73,7 +74,10 @@ private Q_SLOTS:
     void rowsOpenToOneSide_data();
     void rowsOpenToOneSide();
     void mirrorImagesAreCutAlike();
+    void drawnOnesStayAsTheyAre_data();
     void drawnOnesStayAsTheyAre();
+    void aroundAnAxisNoneIsCutInTwo_data();
+    void aroundAnAxisNoneIsCutInTwo();
     void aWishGoesFirst();
 };
 
@@ -135,10 +139,19 @@ void TestSliceSides::mirrorImagesAreCutAlike()
     QVERIFY(compared > kCount * kCount);
 }
 
+void TestSliceSides::drawnOnesStayAsTheyAre_data()
+{
+    QTest::addColumn<QString>("direction");
+    QTest::newRow("a grid") << QStringLiteral("xz");
+    QTest::newRow("around an axis") << QStringLiteral("radial");
+}
+
 // Wrong: slices that become drawn sections would turn their slits round, baked or copied.
 void TestSliceSides::drawnOnesStayAsTheyAre()
 {
-    const Document document = sliced(ellipsoid(Vec3::Zero(), {40.0, 90.0, 55.0}), "xz", 7);
+    QFETCH(const QString, direction);
+    const Document document =
+        sliced(ellipsoid(Vec3::Zero(), {40.0, 90.0, 55.0}), qPrintable(direction), 7);
     const Model model = evaluate(document);
     const auto before = openings(model);
     const Document drawn = baked(model, document.operations.front()->id).value();
@@ -166,6 +179,44 @@ void TestSliceSides::aWishGoesFirst()
     QVERIFY(ways.contains(wished));
     for (const auto &[names, way] : ways)
         QCOMPARE(way.y() > 0.0, names != wished);
+}
+
+void TestSliceSides::aroundAnAxisNoneIsCutInTwo_data()
+{
+    QTest::addColumn<int>("form");
+    QTest::addColumn<int>("count");
+    for (const int form : {0, 1, 2})
+        for (const int count : {2, 3, 4, 5, 7})
+            QTest::addRow("form %d, %d planes", form, count) << form << count;
+}
+
+// Wrong: of three planes through one axis the one in the middle was cut from above and from below
+// to the same place.
+void TestSliceSides::aroundAnAxisNoneIsCutInTwo()
+{
+    QFETCH(const int, form);
+    QFETCH(const int, count);
+    const MeshDraft draft = form == 0   ? sphere(60.0, 60, 91)
+                            : form == 1 ? ellipsoid(Vec3::Zero(), {40.0, 90.0, 55.0})
+                                        : head(48, 61);
+    const Model model = evaluate(sliced(draft, "radial", count));
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(model, caches);
+    for (int i = 0; i < count; ++i)
+        QCOMPARE(analysis.bodies.countOf(i), 1);
+    const auto ways = openings(model);
+    QCOMPARE(ways.size(), static_cast<std::size_t>(count * (count - 1) / 2));
+    double depth = 0.0; // of the first one's slits; what is above them is whole
+    for (const auto &[names, way] : ways)
+        if (count > 2) {
+            QVERIFY2(way.y() < 0.0, (names.first + " in " + names.second).c_str());
+            if (names.first == "Form R1")
+                depth = std::max(depth, way.norm());
+        }
+    if (count > 2) {
+        const double height = model.bounds().size().y();
+        QVERIFY(std::abs(depth / height - (1.0 - 1.0 / count)) < 0.1);
+    }
 }
 
 FFF_TEST(TestSliceSides)

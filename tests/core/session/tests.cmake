@@ -74,6 +74,7 @@ endif()
 
 # What joints hold, by an oracle of its own.
 fff_tests(tests_held LIBRARIES fff::session TESTS
+    core/session/tst_around_an_axis
     core/session/tst_folding
     core/session/tst_grips
     core/session/tst_finding_rows
