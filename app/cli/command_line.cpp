@@ -5,6 +5,7 @@
 #include "core/io/stock_file.h"
 #include "core/io/warning_summary.h"
 #include "core/model/edits.h"
+#include "core/model/materials.h"
 #include "core/model/operation_edits.h"
 
 #include <QCoreApplication>
@@ -64,7 +65,7 @@ constexpr std::array kVerbs = {
          "MESH -o OUT.fff [--along X|Y|Z|XY|XZ|YZ|radial] [--count N | --spacing MM] [--size MM] "
          "[--stock NAME] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A model of a mesh in slices"), runSlices},
-    Verb{"facets", "MESH -o OUT.fff [--faces N] [--size MM] [--stock NAME] [options]",
+    Verb{"facets", "MESH -o OUT.fff [--faces N] [--unfold] [--size MM] [--stock NAME] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A model of flat sheets with fingers along their edges"),
          runFacets},
     Verb{"nest",
@@ -100,6 +101,9 @@ std::optional<Stock> stockNamed(const Document &document, const QString &name)
     for (const Stock &stock : {birchPlywood(), flatfabAcrylic()})
         if (matches(stock))
             return stock;
+    for (const Material &material : materials())
+        if (matches(material.stock))
+            return material.stock;
     return std::nullopt;
 }
 
@@ -116,10 +120,9 @@ std::optional<int> applyStock(Document &document, const QString &name, const Ver
         stock = stockNamed(document, name);
     }
     if (!stock)
-        return wrongUse(
-            verb,
-            tr("There is no stock \"%1\". Choose one from the file, Birch plywood or Acrylic.")
-                .arg(name));
+        return wrongUse(verb, tr("There is no stock \"%1\". Choose one of the file, or of the list "
+                                 "of materials, such as Birch plywood, Acrylic or Card.")
+                                  .arg(name));
     StockId id = stock->id;
     if (!document.find(id) || !(*document.find(id) == *stock)) {
         document = *addStock(std::move(document), *stock);

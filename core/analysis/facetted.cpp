@@ -72,27 +72,35 @@ Result<Document> moved(Document document, const std::vector<SectionId> &sections
     return document;
 }
 
+/// The template's mesh in its place, of no more triangles than wanted.
+Result<TriangleMeshPointer> meshOf(const Template *one, std::optional<std::size_t> faces,
+                                   const LongWork &work)
+{
+    if (!one || !one->mesh)
+        return failure(ErrorCode::UnknownReference, "template");
+    const TriangleMeshPointer whole = inWorld(*one);
+    if (!faces || *faces >= whole->triangles().size())
+        return whole;
+    const Result<TriangleMeshPointer> few = simplified(whole, *faces, work);
+    if (!few)
+        return tl::unexpected(few.error());
+    const TriangleMeshPointer stood = stoodOnFacet(**few);
+    return inPlaceOf(stood ? *stood : **few, *whole);
+}
+
 } // namespace
 
 Result<FacetModel> facetted(const Document &document, TemplateId of,
                             std::optional<std::size_t> faces, const LongWork &work)
 {
     const Template *one = document.find(of);
-    if (!one || !one->mesh)
-        return failure(ErrorCode::UnknownReference, "template");
-    const TriangleMeshPointer whole = inWorld(*one);
-    TriangleMeshPointer mesh = whole;
-    if (faces && *faces < whole->triangles().size()) {
-        const Result<TriangleMeshPointer> few = simplified(whole, *faces, work);
-        if (!few)
-            return tl::unexpected(few.error());
-        const TriangleMeshPointer stood = stoodOnFacet(**few);
-        mesh = inPlaceOf(stood ? *stood : **few, *whole);
-    }
-    Result<FacetModel> model = facetModel(document, *mesh, one->name, work);
+    const Result<TriangleMeshPointer> mesh = meshOf(one, faces, work);
+    if (!mesh)
+        return tl::unexpected(mesh.error());
+    Result<FacetModel> model = facetModel(document, **mesh, one->name, work);
     if (!model)
         return model;
-    const double lowest = lowestOf(*model), foot = footOf(*mesh).y();
+    const double lowest = lowestOf(*model), foot = footOf(**mesh).y();
     if (!std::isfinite(lowest))
         return model;
     Result<Document> next =
@@ -101,6 +109,18 @@ Result<FacetModel> facetted(const Document &document, TemplateId of,
         return tl::unexpected(std::move(next.error()));
     model->document = *std::move(next);
     return model;
+}
+
+Result<NetModel> unfolded(const Document &document, TemplateId of, std::optional<std::size_t> faces,
+                          double flap, const LongWork &work)
+{
+    const Template *one = document.find(of);
+    const Result<TriangleMeshPointer> mesh = meshOf(one, faces, work);
+    if (!mesh)
+        return tl::unexpected(mesh.error());
+    const Box3 &box = (*mesh)->bounds();
+    const Vec3 beside(box.max.x() + kNetMargin, 0.0, box.max.z());
+    return netModel(document, **mesh, one->name, beside, flap, work);
 }
 
 } // namespace fff

@@ -1,7 +1,8 @@
-// A template as a box of flat sheets, in its place.
+// A template as a box of flat sheets, in its place, or as nets to fold.
 #pragma once
 
 #include "core/operations/facet_model.h"
+#include "core/operations/net_model.h"
 
 #include <optional>
 
@@ -18,5 +19,12 @@ inline constexpr std::size_t kFewestFaces = 4; // of what encloses anything
 ///         there or has no mesh.
 Result<FacetModel> facetted(const Document &document, TemplateId of,
                             std::optional<std::size_t> faces = {}, const LongWork &work = {});
+
+/// The same as nets to fold, beside the template.
+///
+/// flap    mm, width of the flaps to glue; 0: none
+/// Errors  those of simplified() and netModel(); UnknownReference as above.
+Result<NetModel> unfolded(const Document &document, TemplateId of, std::optional<std::size_t> faces,
+                          double flap, const LongWork &work = {});
 
 } // namespace fff

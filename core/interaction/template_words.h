@@ -28,6 +28,8 @@ inline constexpr Text kSuggestSections = FFF_TEXT_OF_MANY("Step", "Suggest %n se
 
 //: %1 is the name of a template
 inline constexpr Text kMakeFacets = FFF_TEXT("Step", "Make facets of %1");
+//: %1 is the name of a template
+inline constexpr Text kMakeNet = FFF_TEXT("Step", "Unfold %1");
 
 } // namespace fff::steps
 
@@ -66,5 +68,10 @@ inline constexpr Text kTooSmallForFacets =
     FFF_TEXT("Hint", "No flat piece of %1 is large enough for a section: make it larger first.");
 inline constexpr Text kTooManyFacets =
     FFF_TEXT("Hint", "It has more than %1 flat pieces: choose fewer faces.");
+//: A sheet. %1 and %2 are lengths
+inline constexpr Text kTooThickToFold =
+    FFF_TEXT("Hint", "A sheet of %1 does not fold: choose a stock of %2 or less.");
+inline constexpr Text kUnfolded = FFF_TEXT_OF_MANY(
+    "Hint", "Fold along the scored lines, then join edges with the same number: %n seams.");
 
 } // namespace fff::hints

@@ -13,6 +13,7 @@ target_sources(fff_core PRIVATE
     operations/evaluate.cpp
     operations/excerpt.cpp
     operations/facet_model.cpp
+    operations/net_model.cpp
     operations/grid.cpp
     operations/grid_cells.cpp
     operations/images.cpp

@@ -161,6 +161,20 @@ public:
 
     Result<void> facets(const CommandParameters &parameters, double time) const
     {
+        return ofFaces(parameters, time, facetEdit);
+    }
+
+    Result<void> net(const CommandParameters &parameters, double time) const
+    {
+        return ofFaces(parameters, time, netEdit);
+    }
+
+private:
+    using FacesEdit = Result<SectionEdit> (*)(const Document &, TemplateId, std::size_t,
+                                              const LongWork &);
+
+    Result<void> ofFaces(const CommandParameters &parameters, double time, FacesEdit edit) const
+    {
         const Result<Template> one = templateOf(parameters);
         if (!one)
             return tl::unexpected(one.error());
@@ -169,14 +183,13 @@ public:
         if (!faces)
             return tl::unexpected(faces.error());
         Result<SectionEdit> made =
-            facetEdit(m_session.committed().document, one->id, static_cast<std::size_t>(*faces));
+            edit(m_session.committed().document, one->id, static_cast<std::size_t>(*faces), {});
         if (!made)
             return tl::unexpected(std::move(made.error()));
         m_interaction.carryOut(*std::move(made), time);
         return {};
     }
 
-private:
     template <class Change>
     Result<void> changeMesh(const CommandParameters &parameters, double time, Change change) const
     {
@@ -244,7 +257,8 @@ void registerTemplateCommands(CommandRegistry &registry, Session &session, Inter
                                   std::pair("template.toGround", &TemplateCommands::toGround),
                                   std::pair("template.turnUp", &TemplateCommands::turnUp),
                                   std::pair("template.suggest", &TemplateCommands::suggest),
-                                  std::pair("template.facets", &TemplateCommands::facets)})
+                                  std::pair("template.facets", &TemplateCommands::facets),
+                                  std::pair("template.net", &TemplateCommands::net)})
         registry.add(id, {runner(run), hasTemplates});
 }
 

@@ -32,6 +32,21 @@ Hint whatIsBare(const FacetModel &model)
     return Message{hints::kBareEdges, {}, static_cast<int>(model.bare.size())};
 }
 
+/// What a person can do about it; the error where that is nothing.
+Result<SectionEdit> refusedFor(Error error, const Document &document, TemplateId of)
+{
+    if (error.code == ErrorCode::EmptyContour)
+        return SectionEdit(refused(hints::kTooSmallForFacets, {Named{document.find(of)->name}}));
+    if (error.code == ErrorCode::BadCount)
+        return SectionEdit(refused(hints::kTooManyFacets, {static_cast<int>(kMostFacets)}));
+    if (error.code == ErrorCode::BadValue && error.place == "thickness") {
+        const double thickness = document.find(document.currentStock)->thickness;
+        return SectionEdit(
+            refused(hints::kTooThickToFold, {widthOf(thickness), widthOf(kThickestFolded)}));
+    }
+    return tl::unexpected(std::move(error));
+}
+
 } // namespace
 
 Result<SectionEdit> suggestedEdit(const Model &model, TemplateId of,
@@ -55,12 +70,8 @@ Result<SectionEdit> facetEdit(const Document &document, TemplateId of, std::size
                               const LongWork &work)
 {
     Result<FacetModel> model = facetted(document, of, faces, work);
-    if (!model && model.error().code == ErrorCode::EmptyContour)
-        return SectionEdit(refused(hints::kTooSmallForFacets, {Named{document.find(of)->name}}));
-    if (!model && model.error().code == ErrorCode::BadCount)
-        return SectionEdit(refused(hints::kTooManyFacets, {static_cast<int>(kMostFacets)}));
     if (!model)
-        return tl::unexpected(std::move(model.error()));
+        return refusedFor(std::move(model.error()), document, of);
     Template hidden = *model->document.find(of);
     hidden.isHidden = true;
     Result<Document> next = setTemplate(std::move(model->document), hidden);
@@ -68,6 +79,18 @@ Result<SectionEdit> facetEdit(const Document &document, TemplateId of, std::size
         return tl::unexpected(std::move(next.error()));
     return made(*std::move(next), model->sections,
                 Message{steps::kMakeFacets, {Named{hidden.name}}}, whatIsBare(*model));
+}
+
+Result<SectionEdit> netEdit(const Document &document, TemplateId of, std::size_t faces,
+                            const LongWork &work)
+{
+    const double flap = usualFlap(*document.find(document.currentStock));
+    Result<NetModel> model = unfolded(document, of, faces, flap, work);
+    if (!model)
+        return refusedFor(std::move(model.error()), document, of);
+    const Named name{document.find(of)->name};
+    return made(std::move(model->document), model->sections, Message{steps::kMakeNet, {name}},
+                Message{hints::kUnfolded, {}, model->seams});
 }
 
 } // namespace fff

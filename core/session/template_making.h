@@ -14,6 +14,9 @@ Result<SectionEdit> suggestedEdit(const Model &model, TemplateId of,
 /// Flat sheets in place of the template, which is hidden. Errors  those of simplified(); Cancelled;
 /// UnknownReference.
 /// faces  the mesh is simplified to so many first
+/// As nets to fold, with flaps as usual for the stock.
+Result<SectionEdit> netEdit(const Document &document, TemplateId of, std::size_t faces,
+                            const LongWork &work = {});
 Result<SectionEdit> facetEdit(const Document &document, TemplateId of, std::size_t faces,
                               const LongWork &work = {});
 

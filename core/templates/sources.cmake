@@ -10,6 +10,7 @@ target_sources(fff_core PRIVATE
     templates/mended_mesh.cpp
     templates/mesh_edges.cpp
     templates/mesh_facets.cpp
+    templates/mesh_nets.cpp
     templates/mesh_report.cpp
     templates/mesh_surface.cpp
     templates/mesh_tree.cpp
@@ -26,6 +27,7 @@ target_sources(fff_core PRIVATE
     templates/thinned_mesh.cpp
     templates/traced_picture.cpp
     templates/triangle_mesh.cpp
+    templates/unfolding.cpp
     templates/vertex_merger.cpp
     templates/vertex_normals.cpp
 )

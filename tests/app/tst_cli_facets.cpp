@@ -23,6 +23,8 @@ private Q_SLOTS:
     void aCube();
     void insideOut();
     void simplified();
+    void unfolded();
+    void tooThickToFold();
     void edgesWithoutFingersAreNamed();
     void wrongUse_data();
     void wrongUse();
@@ -62,6 +64,36 @@ void TestCliFacets::aCube()
     QVERIFY2(info.contains("100.0 × 100.0 × 100.0 mm"), info);
 }
 
+void TestCliFacets::unfolded()
+{
+    const QString mesh = putMesh(path(u"dice.obj"_s), cube(2.0));
+    const Run told = facets(mesh, {u"--size"_s, u"60"_s, u"--unfold"_s, u"--stock"_s, u"card"_s});
+    QVERIFY2(told.status == 0, told.err);
+    // A cross of 240 × 180 mm has room on A4 one way; 5 folds, and a flap at each of 7 seams.
+    QCOMPARE(told.err, QByteArray("Nets: 1, folds: 12, seams: 7\n"));
+    const Model model = made();
+    QCOMPARE(model.sectionCount(), std::size_t(1));
+    const Section &net = *model.section(0);
+    QCOMPARE(net.name, std::string("dice net 1"));
+    QCOMPARE(net.marks.size(), std::size_t(2));
+    QVERIFY(net.marks.front()->kind == Mark::Kind::Scored);
+    QCOMPARE(net.marks.front()->paths.size(), std::size_t(12));
+    QVERIFY(std::abs(net.frame.origin.y() - 0.5 * model.stockOf(0).thickness) < 1e-9);
+    const Run bare = facets(
+        mesh, {u"--size"_s, u"60"_s, u"--unfold"_s, u"--thickness"_s, u"1"_s, u"--flap"_s, u"0"_s});
+    QCOMPARE(bare.err, QByteArray("Nets: 1, folds: 5, seams: 7\n"));
+    QVERIFY(std::abs(made().section(0)->shape->area() - 6.0 * 60.0 * 60.0) < 1e-6);
+}
+
+void TestCliFacets::tooThickToFold()
+{
+    const Run told =
+        facets(putMesh(path(u"dice.obj"_s), cube(2.0)), {u"--unfold"_s, u"--thickness"_s, u"6"_s});
+    QCOMPARE(told.status, 2);
+    QVERIFY2(told.err.startsWith("A sheet of 6 mm does not fold, expected at most 3 mm;"),
+             told.err);
+}
+
 // Wrong: a file whose faces look inwards is built round the outside of itself.
 void TestCliFacets::insideOut()
 {
@@ -97,6 +129,8 @@ void TestCliFacets::wrongUse_data()
     QTest::addColumn<QByteArray>("said");
     QTest::newRow("no file to write") << u"a.obj"_s << QByteArray("-o is missing");
     QTest::newRow("a drawing") << u"a.obj -o b.svg"_s << QByteArray("expected .fff");
+    QTest::newRow("a flap of nothing")
+        << u"a.obj -o b.fff --flap 5"_s << QByteArray("--flap is of --unfold");
     QTest::newRow("no mesh") << u"-o b.fff"_s << QByteArray("No file was given");
     QTest::newRow("too few faces")
         << u"a.obj -o b.fff --faces 3"_s << QByteArray("--faces: found \"3\", expected a whole");

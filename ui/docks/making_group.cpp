@@ -68,7 +68,15 @@ MakingGroup::MakingGroup(QWidget *parent) : QWidget(parent)
         Q_EMIT facetsWanted(m_faces);
     });
 
-    addButtons(sheets, {facets});
+    QPushButton *net =
+        button(tr("Unfold"), "makeNet",
+               tr("Lays it flat, to be cut of card in one piece or a few and folded along scored "
+                  "lines. Edges to join have the same number."));
+    connect(net, &QPushButton::clicked, this, [this, faces] {
+        faces->settle();
+        Q_EMIT netWanted(m_faces);
+    });
+    addButtons(sheets, {facets, net});
     sheets->fold();
 
     auto *column = new QVBoxLayout(this);

@@ -22,6 +22,7 @@ Q_SIGNALS:
     void oneMoreWanted();
     void anotherWanted();
     void facetsWanted(int faces);
+    void netWanted(int faces);
 
 private:
     QPushButton *button(const QString &text, const char *name, const QString &tip);

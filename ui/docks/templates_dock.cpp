@@ -240,6 +240,7 @@ QWidget *TemplatesDock::makeMaking()
             ofChosen(&TemplatesDock::suggestionWanted));
     connect(m_making, &MakingGroup::oneMoreWanted, this, ofChosen(&TemplatesDock::oneMoreWanted));
     connect(m_making, &MakingGroup::facetsWanted, this, ofChosen(&TemplatesDock::facetsWanted));
+    connect(m_making, &MakingGroup::netWanted, this, ofChosen(&TemplatesDock::netWanted));
     connect(m_making, &MakingGroup::anotherWanted, this, &TemplatesDock::anotherWanted);
     return m_making;
 }

@@ -44,6 +44,7 @@ Q_SIGNALS:
     void oneMoreWanted(fff::TemplateId of);
     void anotherWanted();
     void facetsWanted(fff::TemplateId of, int faces);
+    void netWanted(fff::TemplateId of, int faces);
     void traceWanted(const fff::WantedTrace &wanted);
     /// A tool was picked up here whose keys are the view's.
     void viewWanted();

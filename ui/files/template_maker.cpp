@@ -73,6 +73,14 @@ void TemplateMaker::makeFacets(TemplateId of, int faces)
          });
 }
 
+void TemplateMaker::makeNet(TemplateId of, int faces)
+{
+    make(tr("Unfolding…"), {of, {}, start(of), start(of), 0, {}},
+         [of, faces](const Model &model, const LongWork &work) {
+             return netEdit(model.document, of, static_cast<std::size_t>(faces), work);
+         });
+}
+
 void TemplateMaker::trace(const WantedTrace &wanted)
 {
     const Model model = m_bench.session().committed();

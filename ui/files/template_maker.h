@@ -35,6 +35,7 @@ public:
     bool hasSuggestion() const { return isNewest() && m_last->options; }
     /// What was made of it just before goes.
     void makeFacets(TemplateId of, int faces);
+    void makeNet(TemplateId of, int faces);
     /// What is known of it already is not traced again.
     void trace(const WantedTrace &wanted);
 

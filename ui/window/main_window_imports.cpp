@@ -48,6 +48,7 @@ void MainWindow::connectTemplates()
     connect(m_templates, &TemplatesDock::oneMoreWanted, maker, &TemplateMaker::suggestOneMore);
     connect(m_templates, &TemplatesDock::anotherWanted, maker, &TemplateMaker::suggestAnother);
     connect(m_templates, &TemplatesDock::facetsWanted, maker, &TemplateMaker::makeFacets);
+    connect(m_templates, &TemplatesDock::netWanted, maker, &TemplateMaker::makeNet);
     connect(m_templates, &TemplatesDock::traceWanted, maker, &TemplateMaker::trace);
     connect(m_templates, &TemplatesDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(&m_bench->session(), &Session::committedChanged, m_templates,

@@ -162,6 +162,13 @@ void TestTemplateCommands::facetsStandWhereTheMeshIs()
     QVERIFY((box.center() - mesh.center()).norm() < 0.2 * mesh.size().maxCoeff());
     bench.session.history()->undo();
     QCOMPARE(bench.session.committed().sectionCount(), std::size_t(0));
+    QVERIFY(bench.run("template.net"));
+    const Model &net = bench.session.committed();
+    QCOMPARE(net.sectionCount(), std::size_t(1));
+    QVERIFY(!net.section(0)->marks.empty());
+    QVERIFY(!net.document.templates.front()->isHidden);
+    bench.session.history()->undo();
+    QCOMPARE(bench.session.committed().sectionCount(), std::size_t(0));
 }
 
 void TestTemplateCommands::wrongUseChangesNothing_data()
@@ -217,6 +224,9 @@ void TestTemplateCommands::wrongUseChangesNothing_data()
     QTest::newRow("encloses nothing") << "template.facets"
                                       << "faces"
                                       << "3";
+    QTest::newRow("lays nothing flat") << "template.net"
+                                       << "faces"
+                                       << "3";
     QTest::newRow("no seed") << "template.suggest"
                              << "seed"
                              << "-1";
