@@ -54,8 +54,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "select"},
 
         // What has its place on a bar, a page, a key or a right click.
-        {QT_TR_NOOP("&File"),
-         "file.addToLibrary file.exportAgain fabricate.sheets file.shortcuts sheets.unpinAll",
+        {QT_TR_NOOP("&File"), "file.addToLibrary file.exportAgain file.shortcuts sheets.unpinAll",
          kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "

@@ -260,10 +260,13 @@ void MainWindow::makeMenus()
     m_actions->action("file.quit")->setMenuRole(QAction::QuitRole);
     m_actions->action("file.settings")->setMenuRole(QAction::PreferencesRole);
     m_actions->action("help.about")->setMenuRole(QAction::AboutRole);
-    m_actions->fill(menuBar(), [this](const QString &id, QMenu *menu) {
+    // A command, so that it has keys and a name in scripts: one row for both.
+    QAction *sheets = m_actions->action("fabricate.sheets");
+    sheets->setIconVisibleInMenu(false); // none of the other panels has one
+    m_actions->fill(menuBar(), [this, sheets](const QString &id, QMenu *menu) {
         if (id == QStringLiteral("@docks")) {
             for (QDockWidget *dock : m_layout->docks())
-                menu->addAction(dock->toggleViewAction());
+                menu->addAction(dock == m_sheets ? sheets : dock->toggleViewAction());
         } else if (id == QStringLiteral("@recent")) {
             auto *recent = new RecentMenu(menu);
             connect(recent, &RecentMenu::chosen, this,

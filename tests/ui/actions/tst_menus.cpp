@@ -69,6 +69,7 @@ private Q_SLOTS:
     void theyCanBeRead();
     void aRightClickIsShort();
     void everyCommandIsFound();
+    void nothingIsListedTwice();
     void whatPeopleTypeIsFound_data();
     void whatPeopleTypeIsFound();
     void otherWordsAreOfCommands();
@@ -122,6 +123,16 @@ void TestMenus::everyCommandIsFound()
     }
     for (const CommandWords *words : m_window->bench().commands().offered())
         QVERIFY2(found.contains(QLatin1String(words->id)), words->id);
+}
+
+// Wrong: the search has two rows of one name that do the same, from a panel and its command.
+void TestMenus::nothingIsListedTwice()
+{
+    QSet<QString> names;
+    for (const ListedAction &listed : listedActions(*m_window->menuBar())) {
+        QVERIFY2(!names.contains(listed.name), qPrintable(listed.name));
+        names += listed.name;
+    }
 }
 
 void TestMenus::whatPeopleTypeIsFound_data()
