@@ -14,6 +14,7 @@ target_sources(fff_ui PRIVATE
     base/message_bar.cpp
     base/naming.cpp
     base/panes.cpp
+    base/rich_text.cpp
     base/sentence_label.cpp
     base/theme.cpp
     base/translations.cpp

@@ -18,6 +18,7 @@
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
+#include <QTextDocument>
 #include <QToolButton>
 
 #include <algorithm>
@@ -39,6 +40,20 @@ inline QString tooNarrow(const QString &text, int needs, int has, const char *wh
                               .arg(QLatin1String(what));
 }
 
+/// A number whose narrow space before the unit has become one where a line may break.
+inline QString tornNumber(const QLabel &label)
+{
+    constexpr QChar kNarrow(0x202f);
+    if (label.textFormat() != Qt::RichText || !label.text().contains(kNarrow))
+        return {};
+    QTextDocument shown;
+    shown.setHtml(label.text());
+    return shown.toPlainText().count(kNarrow) == label.text().count(kNarrow)
+               ? QString()
+               : QStringLiteral("\u201C%1\u201D has units that may stand alone in a line")
+                     .arg(shown.toPlainText().left(60));
+}
+
 /// A label's words, in as many lines as it may have.
 inline QString cutLabel(const QLabel &label)
 {
@@ -47,6 +62,8 @@ inline QString cutLabel(const QLabel &label)
     // One that says by its least size that it is cut short has all of it in its tip.
     if (!label.wordWrap() && label.toolTip() == label.text())
         return {};
+    if (const QString torn = tornNumber(label); !torn.isEmpty())
+        return torn;
     const QSize room = label.size();
     if (!label.wordWrap()) {
         const QSize needs = label.sizeHint();

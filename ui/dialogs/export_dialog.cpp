@@ -4,6 +4,7 @@
 #include "core/session/sheet_nesting.h"
 #include "ui/base/icon.h"
 #include "ui/base/lengths.h"
+#include "ui/base/rich_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/cutting_words.h"
 #include "ui/bench/workbench.h"
@@ -189,10 +190,11 @@ void ExportDialog::refreshFoot()
                                 static_cast<int>(m_bench.session().model().sectionCount())))));
     else if (cutting)
         //: %1 are the parts, %2 the sheets, %3 is how far the machine cuts
-        m_foot->setText(tr("%1 on %2 \u00B7 %3 of cutting")
-                            .arg(bold(partCountText(cutting->partCount)),
-                                 bold(sheetCountText(cutting->sheetCount())),
-                                 cutLengthText(cutLength(cutting->drawing), locale())));
+        m_foot->setText(
+            keepingUnits(tr("%1 on %2 \u00B7 %3 of cutting")
+                             .arg(bold(partCountText(cutting->partCount)),
+                                  bold(sheetCountText(cutting->sheetCount())),
+                                  cutLengthText(cutLength(cutting->drawing), locale()))));
     else
         m_foot->setText(m_work->isWorking() ? tr("Working…") : QString());
     const std::vector<ExportRemark> &remarks = m_remarks->remarks();

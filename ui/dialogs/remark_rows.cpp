@@ -1,6 +1,7 @@
 #include "ui/dialogs/remark_rows.h"
 
 #include "ui/base/icon.h"
+#include "ui/base/rich_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
 #include "ui/properties/link_row.h"
@@ -91,7 +92,7 @@ QWidget *RemarkRows::makeRow(const ExportRemark &remark, int index)
     glyph->setPixmap(tintedPixmap(checkGlyph(remark.severity), kRemarkGlyph,
                                   checkColour(remark.severity), devicePixelRatioF()));
     glyph->setAccessibleName(severityWord(remark.severity));
-    auto *words = new QLabel(sentenceOf(remark), row);
+    auto *words = new QLabel(keepingUnits(sentenceOf(remark)), row);
     words->setObjectName(QStringLiteral("remarkText"));
     words->setTextFormat(Qt::RichText);
     words->setWordWrap(true);

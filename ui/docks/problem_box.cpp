@@ -1,6 +1,7 @@
 #include "ui/docks/problem_box.h"
 
 #include "ui/base/icon.h"
+#include "ui/base/rich_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
 
@@ -40,7 +41,7 @@ void ProblemBox::tell(Severity severity, const QString &html)
     m_severity = severity;
     m_glyph->setPixmap(
         tintedPixmap(checkGlyph(severity), kGlyphSize, checkColour(severity), devicePixelRatioF()));
-    m_text->setText(html);
+    m_text->setText(keepingUnits(html));
     // The Tab key stops where there is something to do.
     m_text->setFocusPolicy(html.contains(QLatin1String("<a ")) ? Qt::StrongFocus : Qt::NoFocus);
     show();

@@ -6,6 +6,7 @@
 #include "core/io/machine_library.h"
 #include "core/session/scheduler.h"
 #include "core/session/sheet_nesting.h"
+#include "ui/base/rich_text.h"
 #include "ui/bench/cutting_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/export_choices.h"
@@ -334,7 +335,7 @@ void SheetsDock::refreshFoot()
         facts += tr("about %n min", nullptr, static_cast<int>(std::ceil(*time / kMinute)));
     if (const QString price = priceText(); !price.isEmpty())
         facts += price;
-    m_foot->setText(facts.join(QStringLiteral(" \u00B7 ")));
+    m_foot->setText(keepingUnits(facts.join(QStringLiteral(" \u00B7 "))));
 }
 
 void SheetsDock::light(std::optional<SectionRef> section)
