@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "ui/base/icon.h"
+#include "ui/base/rich_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/marked_scene.h"
 #include "ui/bench/measures.h"
@@ -55,6 +56,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
 {
     constexpr int kIconSize = 34;
     m_icon = new QLabel(this);
+    m_icon->setObjectName(QStringLiteral("drawnIcon"));
     m_icon->setFixedSize(kIconSize, kIconSize);
     m_icon->setAlignment(Qt::AlignCenter);
     m_name = new QLabel(this);
@@ -83,7 +85,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     };
     addRow(stock, tr("Stock"), "drawnStock", [current] { return stockName(current()); });
     addRow(stock, tr("Thickness"), "drawnThickness",
-           [this, current] { return lengthText(current().thickness, 2, 2, locale()); });
+           [this, current] { return lengthText(current().thickness, 2, 3, locale()); });
 
     m_slit = new PropertyGroup(tr("Slit"), this);
     addRow(m_slit, tr("On"), "drawnParent", [this] {
@@ -236,7 +238,7 @@ void DrawingPage::refresh()
         row->refresh();
     const QString why = symmetryText();
     m_why->setVisible(!why.isEmpty());
-    m_why->setText(why);
+    m_why->setText(keepingUnits(why));
     QPalette soft = m_why->palette();
     soft.setColor(QPalette::Window, theme().soft);
     soft.setColor(QPalette::WindowText, theme().text);

@@ -43,7 +43,6 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     column->setContentsMargins(12, 12, 12, 12);
     column->setSpacing(0);
     column->addWidget(m_header);
-    column->addSpacing(12);
     column->addWidget(m_problem);
     column->addWidget(m_modelPage);
     column->addWidget(m_sectionPage);

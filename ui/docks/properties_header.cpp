@@ -25,7 +25,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kLongestTitle = 224; // px
+constexpr int kLongestTitle = 224, kBelow = 12; // px; to what comes after it
 
 } // namespace
 
@@ -52,7 +52,7 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
     m_kind->setForegroundRole(QPalette::PlaceholderText);
     m_kind->setWordWrap(true);
     auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setContentsMargins(0, 0, 0, kBelow);
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(6);
     grid->addWidget(m_icon, 0, 0);
