@@ -39,6 +39,9 @@ bool isOfKeys(Qt::FocusReason reason)
            reason == Qt::ShortcutFocusReason;
 }
 
+/// px. What is below it in the least window, such as the sheets, leaves it no more.
+constexpr QSize kLeastSize{480, 200};
+
 bool isTouch(QEvent::Type type)
 {
     return type == QEvent::TouchBegin || type == QEvent::TouchUpdate || type == QEvent::TouchEnd ||
@@ -67,7 +70,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
     setObjectName(QStringLiteral("viewport"));
     setAccessibleName(tr("View of the model"));
     setAccessibleDescription(tr("Draw with the left mouse button, turn with the right one."));
-    setMinimumSize(480, 360);
+    setMinimumSize(kLeastSize);
     setMouseTracking(true);
     setAttribute(Qt::WA_AcceptTouchEvents);
     setTabletTracking(true);

@@ -24,7 +24,8 @@ constexpr int kLeftWidth = 264, kRightWidth = 322; // px
 constexpr int kNarrowRightWidth = 322, kMostNarrowRightWidth = 366; // px
 constexpr int kBelowHeight = 400;                                   // px, of what is under the view
 constexpr double kBelowShare = 0.4;                                 // of the left column's height
-constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
+constexpr double kUnderShare = 0.45; // of the window's, at most: there is a view above it
+constexpr int kTwoColumns = 1280;    // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
 constexpr int kVersion = 4;
 
@@ -60,8 +61,7 @@ WindowLayout::WindowLayout(QMainWindow &window)
 {
     window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                           QMainWindow::AllowNestedDocks);
-    window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
+    window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::South);
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
 }
@@ -112,6 +112,8 @@ void WindowLayout::widenForTabs()
 void WindowLayout::reset()
 {
     const bool wide = !isNarrow();
+    // As on the left, unless all of them are there: many tabs are looked for at the top.
+    m_window.setTabPosition(Qt::RightDockWidgetArea, wide ? QTabWidget::South : QTabWidget::North);
     for (QDockWidget *dock : m_docks) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
@@ -155,7 +157,7 @@ void WindowLayout::reset()
     if (right)
         m_window.resizeDocks({right}, {wide ? kRightWidth : narrowWidth()}, Qt::Horizontal);
     if (under)
-        m_window.resizeDocks({under}, {kBelowHeight}, Qt::Vertical);
+        m_window.resizeDocks({under}, {heightUnder()}, Qt::Vertical);
     forgetHiding();
 }
 
@@ -239,6 +241,22 @@ void WindowLayout::show(QDockWidget *dock)
     setAway(false);
     dock->show();
     dock->raise();
+    if (!dock->isFloating() && m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
+        leaveViewItsShare(dock);
+}
+
+/// The window may have been higher when the dock was there last.
+void WindowLayout::leaveViewItsShare(QDockWidget *under)
+{
+    m_window.layout()->activate();
+    const int most = heightUnder();
+    if (under->height() > most)
+        m_window.resizeDocks({under}, {most}, Qt::Vertical);
+}
+
+int WindowLayout::heightUnder() const
+{
+    return std::min(kBelowHeight, static_cast<int>(kUnderShare * m_window.height()));
 }
 
 void WindowLayout::forgetHiding()

@@ -56,6 +56,8 @@ Q_SIGNALS:
 private:
     bool isNarrow() const;
     int narrowWidth() const; // px, of the column
+    int heightUnder() const; // px, of what is below the view
+    void leaveViewItsShare(QDockWidget *under);
     void widenForTabs();
     void follow();
     void bringBack();
