@@ -1361,6 +1361,10 @@
         <extracomment>%3 is a number of newtons</extracomment>
         <translation>Auseinandergezogen. %3 N ziehen die Verbindung von %1 und %2 auseinander.</translation>
     </message>
+    <message>
+        <source>Connected. Both sections, by %1.</source>
+        <translation>Zusammenhängend. Beide Scheiben, durch %1.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4276,7 +4280,7 @@
         <source>%n sections were slightly skewed and have been straightened.</source>
         <translation>
             <numerusform>%n Scheibe war leicht schief und ist begradigt.</numerusform>
-            <numerusform>%n Scheiben waren leicht schief und sind begradigt.</numerusform>
+            <numerusform>%n Scheiben waren leicht schief und wurden begradigt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

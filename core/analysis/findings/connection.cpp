@@ -23,6 +23,8 @@ Message connectedSentence(const Finding &finding, const Model &)
     const Message joints = all.joints == 1
                                ? Message{FFF_TEXT("Checks", "1 joint"), {}}
                                : Message{FFF_TEXT_OF_MANY("Checks", "%n joints"), {}, all.joints};
+    if (all.sections == 2)
+        return {FFF_TEXT("Checks", "Connected. Both sections, by %1."), {joints}};
     return {FFF_TEXT("Checks", "Connected. All %1 sections, by %2."), {all.sections, joints}};
 }
 

@@ -100,8 +100,7 @@ void TestChecks::goodModelHasGoodChecksOnly()
          {Subject::Connection, Subject::Stability, Subject::Size, Subject::Mass})
         QCOMPARE(worst(all, subject).value(), Severity::Good);
     QVERIFY(!worst(all, Subject::Joints));
-    QCOMPARE(textOf(analysis, kConnected),
-             QStringLiteral("Connected. All 2 sections, by 1 joint."));
+    QCOMPARE(textOf(analysis, kConnected), QStringLiteral("Connected. Both sections, by 1 joint."));
     QCOMPARE(textOf(analysis, kStands),
              QStringLiteral("Stands. Tips only past 50°. Margin 36.4 mm."));
     QCOMPARE(textOf(analysis, kFitsSheet),
