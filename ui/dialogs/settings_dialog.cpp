@@ -1,5 +1,6 @@
 #include "ui/dialogs/settings_dialog.h"
 
+#include "ui/base/focus_frame.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/dialogs/shortcut_editor.h"
@@ -155,6 +156,8 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
     m_groups->setObjectName(QStringLiteral("settingsGroups"));
     m_groups->setAccessibleName(tr("Groups of settings"));
     m_groups->setIconSize({20, 20});
+    m_groups->setFrameShape(QFrame::NoFrame);
+    FocusFrame::leaveTo(m_groups); // its row has one
     m_groups->setSpacing(2);
     m_pages = new QStackedWidget(this);
     addPage(tr("General"), QStringLiteral("settings"), makeGeneral());

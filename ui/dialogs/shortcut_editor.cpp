@@ -18,6 +18,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kIdRole = Qt::UserRole;
+constexpr int kRowHeight = 24; // px
 
 bool isForView(const QAction &action)
 {
@@ -115,6 +116,7 @@ void ShortcutEditor::makeTree(const QList<ListedAction> &actions)
             menu->setFlags(Qt::ItemIsEnabled);
             menu->setFirstColumnSpanned(true);
             menu->setExpanded(true);
+            menu->setSizeHint(0, {0, kRowHeight});
         }
         auto *item = new QTreeWidgetItem(menu);
         // Without what it would be done to just now: Undo, not Undo "Draw Body".
@@ -122,6 +124,7 @@ void ShortcutEditor::makeTree(const QList<ListedAction> &actions)
         item->setIcon(0, each.action->icon());
         item->setText(2, isForView(*each.action) ? tr("in the view") : tr("everywhere"));
         item->setData(0, kIdRole, each.id);
+        item->setSizeHint(0, {0, kRowHeight});
     }
     m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
