@@ -53,6 +53,8 @@ public:
     bool isOutOfTime();
 
 private:
+    static constexpr int kNone = -1;
+
     /// Another part that one may run into.
     struct Obstacle
     {

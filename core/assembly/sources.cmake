@@ -1,6 +1,8 @@
 target_sources(fff_core PRIVATE
     assembly/assembly.cpp
     assembly/blocking.cpp
+    assembly/blocking_bends.cpp
+    assembly/blocking_groups.cpp
     assembly/body.cpp
     assembly/collisions.cpp
     assembly/coming_away.cpp
