@@ -89,6 +89,12 @@ private:
         double largestError = 0.0;
     };
 
+    /// A determinant below this part of its diagonal's product is rounding (no unit): the samples
+    /// are too few, or lie too near to each other, to tell a parabola from a line.
+    static constexpr double kSingular = 1e-9;
+
+    /// Nothing for what goes nowhere.
+    static Vec2 unit(const Vec2 &way);
     void fillGaps(const std::vector<Vec2> &drawn);
     void measure();
     void sum();

@@ -23,6 +23,8 @@ target_sources(fff_core PRIVATE
     geometry/frame.cpp
     geometry/halfplane_clip.cpp
     geometry/line_clip.cpp
+    geometry/line_corners.cpp
+    geometry/line_runs.cpp
     geometry/mapped_contour.cpp
     geometry/mirrored_boundaries.cpp
     geometry/moments.cpp
