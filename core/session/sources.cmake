@@ -26,6 +26,7 @@ target_sources(fff_session PRIVATE
     replay.cpp
     replay_script.cpp
     scheduler.cpp
+    scheduler_desks.cpp
     section_commands.cpp
     section_names.cpp
     sheet_commands.cpp
