@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     values/evaluated_values.cpp
     values/expression_error.cpp
     values/formula.cpp
+    values/formula_calls.cpp
     values/formula_parser.cpp
     values/formula_text.cpp
     values/formula_worth.cpp
