@@ -1,6 +1,8 @@
 // Runs the command line as a person does.
 #pragma once
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QStringList>
 
@@ -41,6 +43,11 @@ inline Run run(const QString &program, const QStringList &arguments,
 inline Run run(const QStringList &arguments, bool hasDisplay = true)
 {
     return run(QStringLiteral(FFF_CLI), arguments, {}, hasDisplay);
+}
+
+inline QJsonObject object(const QByteArray &json)
+{
+    return QJsonDocument::fromJson(json).object();
 }
 
 } // namespace fff::test

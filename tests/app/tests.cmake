@@ -3,6 +3,7 @@ fff_tests(tests_app LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     app/tst_cli_assembly
     app/tst_cli_cut
     app/tst_cli_cuts
+    app/tst_cli_export
     app/tst_cli_facets
     app/tst_cli_input
     app/tst_cli_nest

@@ -10,9 +10,11 @@ fff_tests(tests_stroke LIBRARIES fff::core TESTS
     core/stroke/tst_stroke_contour
     core/stroke/tst_stroke_corpus
     core/stroke/tst_symmetry
+    core/stroke/tst_symmetry_in_haste
     ALONE
         core/stroke/tst_meant_shape
         core/stroke/tst_forgiving_ends
         core/stroke/tst_forgiving_shapes
         core/stroke/tst_stroke_contour
-        core/stroke/tst_symmetry)
+        core/stroke/tst_symmetry
+        core/stroke/tst_symmetry_in_haste)
