@@ -2,6 +2,7 @@
 
 #include "core/model/materials.h"
 #include "ui/base/lengths.h"
+#include "ui/base/rich_text.h"
 #include "ui/dialogs/question_row.h"
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/choice_box.h"
@@ -197,9 +198,9 @@ void ExportQuestions::refresh()
     m_stockBox->setVisible(stocks.all.size() > 1);
     m_onlyStock->setVisible(stocks.all.size() <= 1);
     const Stock &stock = m_stocks.stock();
-    m_onlyStock->setText(
+    m_onlyStock->setText(keepingUnits(
         QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp; %2")
-            .arg(stockLook(stock).face.darker(115).name(), text(stock).toHtmlEscaped()));
+            .arg(stockLook(stock).face.darker(115).name(), text(stock).toHtmlEscaped())));
     m_thickness->setLength(stock.thickness);
 
     Choices sheets;
