@@ -4889,6 +4889,10 @@
         <source>All for the workshop, packed</source>
         <translation>Alles für die Werkstatt, gepackt</translation>
     </message>
+    <message>
+        <source>All for the workshop, in a folder</source>
+        <translation>Alles für die Werkstatt, in einem Ordner</translation>
+    </message>
 </context>
 <context>
     <name>Hint</name>
@@ -9553,10 +9557,6 @@
         <translation>Höhe der Platte</translation>
     </message>
     <message>
-        <source>Which file?</source>
-        <translation>Welche Datei?</translation>
-    </message>
-    <message>
         <source>%1, %2 thick</source>
         <extracomment>%1 is the name of a stock, %2 its thickness</extracomment>
         <translation>%1, %2 dick</translation>
@@ -9912,6 +9912,41 @@
     <message>
         <source>Its centre, in the coordinates of the section</source>
         <translation>Von seiner Mitte, in den Koordinaten der Scheibe</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::FileQuestion</name>
+    <message>
+        <source>Cutting file</source>
+        <translation>Schneiddatei</translation>
+    </message>
+    <message>
+        <source>Paper or picture</source>
+        <translation>Papier oder Bild</translation>
+    </message>
+    <message>
+        <source>Solids to print or render</source>
+        <translation>Körper zum Drucken oder Darstellen</translation>
+    </message>
+    <message>
+        <source>List of parts</source>
+        <translation>Stückliste</translation>
+    </message>
+    <message>
+        <source>Everything for a workshop</source>
+        <translation>Alles für eine Werkstatt</translation>
+    </message>
+    <message>
+        <source>Which file?</source>
+        <translation>Welche Datei?</translation>
+    </message>
+    <message>
+        <source>What is it for?</source>
+        <translation>Wofür ist sie?</translation>
+    </message>
+    <message>
+        <source>A file for each sheet</source>
+        <translation>Eine Datei je Platte</translation>
     </message>
 </context>
 <context>
@@ -14035,6 +14070,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw with the left mouse button, turn with the right one.</source>
         <translation>Mit der linken Maustaste zeichnen, mit der rechten drehen.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Workshop</name>
+    <message>
+        <source>%1 for the workshop</source>
+        <extracomment>%1 is a model&apos;s name: what a folder of its files for a workshop is called</extracomment>
+        <translation>%1 für die Werkstatt</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <translation>Die Schritte sind nicht bei den Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Where to put the folder “%1”</source>
+        <translation>Wohin der Ordner „%1“ soll</translation>
+    </message>
+    <message>
+        <source>Put it here</source>
+        <translation>Hierhin</translation>
+    </message>
+    <message>
+        <source>no picture can be made on this display.</source>
+        <translation>auf diesem Bildschirm lässt sich kein Bild machen.</translation>
     </message>
 </context>
 <context>

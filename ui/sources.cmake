@@ -52,6 +52,7 @@ target_sources(fff_ui PRIVATE
     dialogs/export_questions.cpp
     dialogs/export_remarks.cpp
     dialogs/export_rows.cpp
+    dialogs/file_question.cpp
     dialogs/help_window.cpp
     dialogs/key_recorder.cpp
     dialogs/libraries.cpp
@@ -114,6 +115,7 @@ target_sources(fff_ui PRIVATE
     files/replace_question.cpp
     files/template_maker.cpp
     files/unsaved_work.cpp
+    files/workshop.cpp
     properties/choice_box.cpp
     properties/dimension_group.cpp
     properties/drawing_group.cpp

@@ -9,6 +9,7 @@
 #include <QtCore/QString>
 #include <QtCore/QStringList>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,11 @@ struct Model;
 
 namespace fff::io {
 
+struct NamedBytes;
 struct SvgDrawing;
+
+/// What a file that is exported is for: the first thing that Export asks.
+enum class FileUse { Cutting, Paper, Solids, Parts, Workshop };
 
 /// A number that a reader or a writer may be told, or one of a few words: on the command line
 /// "--NAME VALUE".
@@ -34,6 +39,7 @@ struct FormatOption
         /// What Export offers in a row of its own, context "Format"; none for the usual one, which
         /// is the format's own, and for what is asked for on the command line alone.
         const char *title = "", *titleOfSheets = "";
+        std::optional<FileUse> use = {}; // another one than the format's
     };
 
     const char *name = "";
@@ -54,8 +60,10 @@ struct Format
     // What is written, as a file dialog calls it, where each sheet has a file (none: one has all),
     // and where it is the skin; context "Format".
     const char *title = "", *titleOfSheets = "", *titleOfSkin = "";
+    const char *titleOfFolder = ""; // where a folder has what else is packed; context "Format"
     const char *help = ""; // what `export` writes in it, within a sentence; context "CommandLine"
     std::vector<FormatOption> options = {};
+    FileUse use = FileUse::Cutting; // of what is cut; solids and skins are FileUse::Solids
 
     /// By the first bytes, whatever the file is called.
     bool (*recognises)(std::string_view bytes) = nullptr;
@@ -64,6 +72,8 @@ struct Format
     Result<SvgDrawing> (*readDrawing)(std::string_view bytes, const std::string &name) = nullptr;
     Result<std::string> (*writeModel)(const Document &, const FormatValues &) = nullptr;
     Result<std::string> (*writeCutting)(const CuttingDrawing &, const FormatValues &) = nullptr;
+    /// What writeCutting() packs into one, by names within it.
+    Result<std::vector<NamedBytes>> (*writeUnpacked)(const CuttingDrawing &) = nullptr;
     Result<std::string> (*writeSolids)(const Model &, const Bodies &,
                                        const FormatValues &) = nullptr;
     std::string (*writeSkin)(const TriangleMesh &) = nullptr;

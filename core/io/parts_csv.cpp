@@ -103,6 +103,7 @@ const Format &partsCsvFormat()
                                   .title =
                                       QT_TRANSLATE_NOOP("Format", "Parts list for spreadsheets"),
                                   .help = QT_TRANSLATE_NOOP("CommandLine", "the list of parts"),
+                                  .use = FileUse::Parts,
                                   .writeCutting = [](const CuttingDrawing &drawing,
                                                      const FormatValues &) -> Result<std::string> {
                                       return writePartsCsv(drawing);

@@ -190,9 +190,11 @@ const Format &pdfFormat()
                                                "letter (sheet)."),
                      .choices = {{.name = "sheet"},
                                  {.name = "a4",
-                                  .title = QT_TRANSLATE_NOOP("Format", "PDF, tiled on A4")},
+                                  .title = QT_TRANSLATE_NOOP("Format", "PDF, tiled on A4"),
+                                  .use = FileUse::Paper},
                                  {.name = "letter",
-                                  .title = QT_TRANSLATE_NOOP("Format", "PDF, tiled on Letter")}}}},
+                                  .title = QT_TRANSLATE_NOOP("Format", "PDF, tiled on Letter"),
+                                  .use = FileUse::Paper}}}},
         .writeCutting = [](const CuttingDrawing &drawing,
                            const FormatValues &values) -> Result<std::string> {
             return writePdf(drawing, static_cast<PdfPaper>(valueOf(values, kPaperOption, 0.0)));

@@ -92,6 +92,7 @@ const Format &pngFormat()
         .title = QT_TRANSLATE_NOOP("Format", "Picture of the sheets"),
         .titleOfSheets = QT_TRANSLATE_NOOP("Format", "Pictures, one for each sheet"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "a picture of the sheets"),
+        .use = FileUse::Paper,
         .writeCutting = [](const CuttingDrawing &drawing, const FormatValues &) {
             return writePng(drawing);
         }};

@@ -3,6 +3,7 @@
 #include "core/fabrication/fit_coupon.h"
 #include "core/io/archive.h"
 #include "core/io/coupon_words.h"
+#include "core/io/file_set.h"
 #include "core/io/parts_csv.h"
 #include "core/io/png_writer.h"
 
@@ -15,27 +16,23 @@ namespace fff::io {
 
 namespace {
 
-struct WorkshopFile
-{
-    std::string name, bytes;
-};
-
 /// In a way of the format: what is told it, and what its name ends in.
-Result<WorkshopFile> fileOf(const Format &format, const CuttingDrawing &drawing,
-                            const std::string &way, const FormatValues &values)
+Result<NamedBytes> fileOf(const Format &format, const CuttingDrawing &drawing,
+                          const std::string &way, const FormatValues &values)
 {
     const bool isList = &format == &partsCsvFormat();
     return format.writeCutting(drawing, values).map([&](std::string bytes) {
-        return WorkshopFile{(isList ? "parts" : "sheets") + way + '.' + format.suffixes.front(),
-                            std::move(bytes)};
+        return NamedBytes{QString::fromStdString((isList ? "parts" : "sheets") + way + '.' +
+                                                 format.suffixes.front()),
+                          std::move(bytes)};
     });
 }
 
 Result<void> addWays(const Format &format, const CuttingDrawing &drawing,
-                     std::vector<WorkshopFile> &files)
+                     std::vector<NamedBytes> &files)
 {
     const auto add = [&](const std::string &way, const FormatValues &values) {
-        return fileOf(format, drawing, way, values).map([&files](WorkshopFile file) {
+        return fileOf(format, drawing, way, values).map([&files](NamedBytes file) {
             files.push_back(std::move(file));
         });
     };
@@ -53,7 +50,7 @@ Result<void> addWays(const Format &format, const CuttingDrawing &drawing,
 
 /// In the usual way of each format of drawings. None where there can be no coupon: the sheets are
 /// what was asked for.
-Result<void> addCoupon(const CuttingDrawing &drawing, std::vector<WorkshopFile> &files)
+Result<void> addCoupon(const CuttingDrawing &drawing, std::vector<NamedBytes> &files)
 {
     const auto coupon = fitCoupon(drawing.stocks, drawing.machine, couponWords());
     if (!coupon)
@@ -64,16 +61,16 @@ Result<void> addCoupon(const CuttingDrawing &drawing, std::vector<WorkshopFile> 
         Result<std::string> bytes = format->writeCutting(*coupon, {});
         if (!bytes)
             return tl::unexpected(std::move(bytes.error()));
-        files.push_back({std::string("coupon.") + format->suffixes.front(), *std::move(bytes)});
+        files.push_back({QStringLiteral("coupon.") + format->suffix(), *std::move(bytes)});
     }
     return {};
 }
 
 } // namespace
 
-Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing)
+Result<std::vector<NamedBytes>> workshopFiles(const CuttingDrawing &drawing)
 {
-    std::vector<WorkshopFile> files;
+    std::vector<NamedBytes> files;
     for (const Format *format : formatsThat(&Format::writesCutting)) {
         if (format == &workshopFormat() || format == &pngFormat())
             continue;
@@ -82,10 +79,20 @@ Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing)
     }
     if (const Result<void> added = addCoupon(drawing, files); !added)
         return tl::unexpected(added.error());
+    return files;
+}
+
+Result<std::string> packedFiles(const std::vector<NamedBytes> &files)
+{
     std::vector<PackedEntry> entries;
-    for (const WorkshopFile &file : files)
-        entries.push_back({file.name, file.bytes});
+    for (const NamedBytes &file : files)
+        entries.push_back({file.path.toStdString(), file.bytes});
     return packed(entries);
+}
+
+Result<std::string> writeWorkshopArchive(const CuttingDrawing &drawing)
+{
+    return workshopFiles(drawing).and_then(packedFiles);
 }
 
 const Format &workshopFormat()
@@ -94,10 +101,12 @@ const Format &workshopFormat()
         .key = "zip",
         .suffixes = {"zip"},
         .title = QT_TRANSLATE_NOOP("Format", "All for the workshop, packed"),
+        .titleOfFolder = QT_TRANSLATE_NOOP("Format", "All for the workshop, in a folder"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "all for a workshop"),
-        .writeCutting = [](const CuttingDrawing &drawing, const FormatValues &) {
-            return writeWorkshopArchive(drawing);
-        }};
+        .use = FileUse::Workshop,
+        .writeCutting = [](const CuttingDrawing &drawing,
+                           const FormatValues &) { return writeWorkshopArchive(drawing); },
+        .writeUnpacked = workshopFiles};
     return format;
 }
 

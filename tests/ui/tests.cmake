@@ -27,6 +27,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/bench/tst_skin_picture
     ui/dialogs/tst_dialogs
     ui/dialogs/tst_export_dialog
+    ui/dialogs/tst_export_files
     ui/dialogs/tst_export_looks
     ui/dialogs/tst_sheet_paths
     ui/docks/tst_movement_rows

@@ -21,7 +21,7 @@ const QString kSpacingKey = QStringLiteral("export/spacing"),
               kLeadKey = QStringLiteral("export/lead"),
               kSharesKey = QStringLiteral("export/sharesCuts"),
               kFolderKey = QStringLiteral("export/opensFolder"),
-              kFileKey = QStringLiteral("export/file");
+              kFileKey = QStringLiteral("export/file"), kFilesKey = QStringLiteral("export/files");
 
 /// What cannot be made sense of is what is usual.
 double lengthKept(const QString &key, double usual, double most)
@@ -99,6 +99,7 @@ ExportChoices rememberedChoices()
     choices.machine = settings().memory(kMachineKey).toString();
     choices.opensFolder = switchKept(kFolderKey, choices.opensFolder);
     choices.file = settings().memory(kFileKey).toString();
+    choices.files = settings().memory(kFilesKey).toStringList();
     return choices;
 }
 
@@ -117,6 +118,7 @@ void rememberChoices(const ExportChoices &choices)
     settings().setMemory(kMachineKey, choices.machine);
     settings().setMemory(kFolderKey, choices.opensFolder);
     settings().setMemory(kFileKey, choices.file);
+    settings().setMemory(kFilesKey, choices.files);
 }
 
 } // namespace fff::ui

@@ -4,8 +4,10 @@
 
 #include "core/analysis/cutting.h"
 #include "core/fabrication/cut_finish.h"
+#include "core/io/formats.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -14,11 +16,13 @@ namespace fff::ui {
 /// One of the files that Export can write.
 struct ExportFile
 {
-    QString key;           // by which it is remembered
-    QString text;          // "Drawings for cutters (SVG)"
+    QString key;  // by which it is remembered
+    QString text; // "SVG, true to size"
+    io::FileUse use = io::FileUse::Cutting;
     bool isSolids = false; // has no sheets, nor a kerf
     bool isFilePerSheet = false;
-    bool isSkin = false; // of those without sheets, the one that has no parts either
+    bool isSkin = false;   // of those without sheets, the one that has no parts either
+    bool isFolder = false; // of several files
 };
 
 struct ExportChoices
@@ -32,6 +36,7 @@ struct ExportChoices
     QString machine;  // key in the library (core/io/machine_library.h); empty: none in particular
     bool opensFolder = false; // afterwards
     QString file;             // key; empty: the first there is
+    QStringList files;        // the same of each use, the newest first
 
     CuttingOptions cutting() const;
     NestOptions nesting() const;

@@ -35,6 +35,11 @@ namespace {
 constexpr QSize kUsualSize(1048, 700), kLeastSize(860, 560); // px
 constexpr int kLeastChoices = 345;                           // px, width of the left column
 
+QStringList keptFiles(const ExportChoices &choices)
+{
+    return QStringList(choices.file) + choices.files;
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vector<ExportFile> files,
@@ -101,7 +106,7 @@ QWidget *ExportDialog::makeChoices(std::vector<ExportFile> files)
     auto *column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 12, 0);
     column->setSpacing(4);
-    m_questions = new ExportQuestions(*m_stocks, std::move(files), m_choices.file, all);
+    m_questions = new ExportQuestions(*m_stocks, std::move(files), keptFiles(m_choices), all);
     m_rows = new ExportRows(*m_stocks, m_choices, all);
     column->addWidget(m_questions);
     column->addWidget(m_rows);
@@ -154,6 +159,7 @@ void ExportDialog::takeFile()
 {
     const ExportFile &file = m_questions->file();
     m_choices.file = file.key;
+    m_choices.files = m_questions->chosenFiles();
     m_rows->setSolids(file.isSolids);
     m_preview->setFile(file);
     refresh();

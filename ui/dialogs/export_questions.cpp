@@ -46,21 +46,21 @@ int commonSheetOf(const Vec2 &size)
 } // namespace
 
 ExportQuestions::ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files,
-                                 const QString &file, QWidget *parent)
-    : QWidget(parent), m_stocks(stocks), m_files(std::move(files))
+                                 const QStringList &chosen, QWidget *parent)
+    : QWidget(parent), m_stocks(stocks), m_file(new FileQuestion(std::move(files), chosen, this))
 {
-    const auto kept = std::find_if(m_files.begin(), m_files.end(),
-                                   [&file](const ExportFile &one) { return one.key == file; });
-    if (kept != m_files.end())
-        m_file = static_cast<std::size_t>(kept - m_files.begin());
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);
     m_questions.push_back(makeStock());
     m_questions.push_back(m_sheetQuestion = makeSheet());
-    m_questions.push_back(makeFile());
+    m_questions.push_back(m_file);
     for (QuestionRow *question : m_questions)
         column->addWidget(question);
+    connect(m_file, &FileQuestion::fileChanged, this, [this] {
+        refresh();
+        Q_EMIT fileChanged();
+    });
     connect(&stocks, &StockEdits::changed, this, &ExportQuestions::refresh);
     refresh();
 }
@@ -167,19 +167,6 @@ int ExportQuestions::leastWidth() const
     return width;
 }
 
-QuestionRow *ExportQuestions::makeFile()
-{
-    auto *question = new QuestionRow(tr("Which file?"), this);
-    m_fileBox = choiceBox("exportFile", tr("Which file?"), question);
-    question->add(m_fileBox);
-    connect(m_fileBox, &QComboBox::activated, this, [this](int choice) {
-        m_file = static_cast<std::size_t>(choice);
-        refresh();
-        Q_EMIT fileChanged();
-    });
-    return question;
-}
-
 void ExportQuestions::refresh()
 {
     const auto text = [this](const Stock &stock) {
@@ -215,11 +202,6 @@ void ExportQuestions::refresh()
     for (const int axis : {0, 1})
         m_sides[axis]->setLength(stock.sheet[axis]);
 
-    Choices files;
-    for (const ExportFile &file : m_files)
-        files.all.push_back({file.text, {}});
-    files.current = static_cast<int>(m_file);
-    m_fileBox->setChoices(files);
     m_sheetQuestion->setVisible(!file().isSolids);
     QuestionRow::number(m_questions);
 }

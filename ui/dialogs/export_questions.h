@@ -5,6 +5,7 @@
 #include <QWidget> // first: moc stumbles over some standard headers
 
 #include "ui/dialogs/export_choices.h"
+#include "ui/dialogs/file_question.h"
 #include "ui/dialogs/stock_edits.h"
 
 #include <vector>
@@ -21,11 +22,14 @@ class ExportQuestions : public QWidget
 {
     Q_OBJECT
 public:
-    /// files  at least one
-    ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files, const QString &file,
+    /// files   at least one
+    /// chosen  keys: the one that is chosen, and what was chosen before of other uses
+    ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files, const QStringList &chosen,
                     QWidget *parent = nullptr);
 
-    const ExportFile &file() const { return m_files[m_file]; }
+    const ExportFile &file() const { return m_file->file(); }
+    /// As they are given, with what is chosen now.
+    QStringList chosenFiles() const { return m_file->chosen(); }
     void refresh();
     /// px, with all answers in sight.
     int leastWidth() const;
@@ -36,14 +40,11 @@ Q_SIGNALS:
 private:
     QuestionRow *makeStock();
     QuestionRow *makeSheet();
-    QuestionRow *makeFile();
     LengthEdit *makeSide(int axis);
     void chooseSheet(int choice);
     void showThickness();
 
     StockEdits &m_stocks;
-    std::vector<ExportFile> m_files;
-    std::size_t m_file = 0;
     std::vector<QuestionRow *> m_questions;
     QuestionRow *m_sheetQuestion = nullptr;
     ChoiceBox *m_stockBox = nullptr; // of several
@@ -53,7 +54,7 @@ private:
     ChoiceBox *m_sheetBox = nullptr;
     QWidget *m_ownSheet = nullptr;
     LengthEdit *m_sides[2] = {nullptr, nullptr};
-    ChoiceBox *m_fileBox = nullptr;
+    FileQuestion *m_file = nullptr;
     StockId m_ownSizeOf; // the stock for which a size of one's own was asked for
 };
 

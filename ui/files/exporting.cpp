@@ -19,8 +19,10 @@
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
+#include "ui/files/workshop.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
 #include <QUrl>
 
@@ -56,8 +58,8 @@ std::vector<ExportFile> filesToChoose()
 {
     std::vector<ExportFile> files;
     for (const ExportKind &kind : exportKinds())
-        files.push_back({kind.key, kind.title, !kind.format->writesCutting(), kind.isFilePerSheet,
-                         kind.isSkin});
+        files.push_back({kind.key, kind.title, kind.use, !kind.format->writesCutting(),
+                         kind.isFilePerSheet, kind.isSkin, kind.isFolder});
     return files;
 }
 
@@ -67,6 +69,14 @@ QString withoutExportSuffix(const QString &path)
     const QString suffix = QFileInfo(path).suffix();
     return io::formatWritten(suffix, &io::Format::isExported) ? path.chopped(suffix.size() + 1)
                                                               : path;
+}
+
+/// What names of files begin with; a folder is in the same one as they.
+QString baseOf(const ExportTarget &target, const QString &suggestion)
+{
+    const QFileInfo folder(target.path);
+    return kindNamed(target.kind).isFolder ? folder.dir().filePath(QFileInfo(suggestion).fileName())
+                                           : withoutExportSuffix(target.path);
 }
 
 } // namespace
@@ -89,7 +99,7 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
     if (m_bench.session().hasPreview())
         m_bench.escape(); // a section that is still being drawn is not cut
     const std::optional<ExportTarget> before = target(model);
-    const QString base = before ? withoutExportSuffix(before->path) : suggestion;
+    const QString base = before ? baseOf(*before, suggestion) : suggestion;
     ExportDialog dialog(
         m_bench, m_checks, filesToChoose(),
         [&](QWidget *parent, const ExportFile &file) {
@@ -107,12 +117,15 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
     if (!writeTo(target, model, Replaces::Asking))
         return false;
     if (dialog.choices().opensFolder)
-        QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(target.path).absolutePath()));
+        QDesktopServices::openUrl(QUrl::fromLocalFile(
+            kindNamed(target.kind).isFolder ? target.path : QFileInfo(target.path).absolutePath()));
     return true;
 }
 
 QString Exporting::askForPath(QWidget *parent, const ExportKind &kind, const QString &suggestion)
 {
+    if (kind.isFolder)
+        return askForWorkshopFolder(parent, suggestion);
     FileDialog dialog(parent, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
                       kind.filter);
     const QString suffix = kind.format->suffix();
@@ -189,7 +202,16 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     options.isFilePerSheet = kind.isFilePerSheet;
     options.format = kind.format;
     options.values = kind.values;
+    options.isUnpacked = kind.isFolder;
     const QString doing = tr("Exporting %1…").arg(name);
+    WorkshopSteps steps;
+    if (kind.format->writeUnpacked) {
+        const QFileInfo named(m_model.isEmpty() ? path : m_model);
+        steps = workshopSteps(m_window, m_bench.session(), doing, named.completeBaseName());
+        if (steps.isGivenUp)
+            return false;
+        options.enclosed = steps.files;
+    }
     const auto made = inBackground<Result<io::CuttingFile>>(
         m_window, doing, MayCancel::No, [analysis = m_bench.session().analysisPointer(), options] {
             return io::makeCuttingFile(*analysis, options);
@@ -200,9 +222,11 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     std::vector<io::NamedBytes> files{{path, file.whole}};
     if (kind.isFilePerSheet) {
         files = io::numberedFiles(path, file.sheets, options.format->suffix());
-        if (replaces == Replaces::Asking && !mayReplace(m_window, files))
-            return false;
+    } else if (kind.isFolder) {
+        files = inWorkshopFolder(path, file.several);
     }
+    if (files.size() > 1 && replaces == Replaces::Asking && !mayReplace(m_window, files))
+        return false;
     const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
         return files.size() == 1 ? io::writeFile(files[0].path, files[0].bytes)
                                  : io::writeFiles(files);
@@ -210,11 +234,14 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     if (!*written)
         return tellFailure(path, kind, written->error());
     QStringList warnings = warningsOf(file);
+    if (!steps.whyNone.isEmpty())
+        warnings += steps.whyNone;
     if (kind.isFilePerSheet)
         warnings += olderSheets(path, files.size(), options.format->suffix());
     m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
     const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
-    tellDone(file, files.size() == 1
+    tellDone(file, kind.isFolder ? name
+                   : files.size() == 1
                        ? nameOf(files.front())
                        //: %1 and %2 are the first and the last of several files
                        : tr("%1 to %2").arg(nameOf(files.front()), nameOf(files.back())));
@@ -294,13 +321,14 @@ bool Exporting::tellFailure(const QString &path, const ExportKind &kind, const E
     const bool isOfStock =
         error.code == ErrorCode::ClosedSlit || error.code == ErrorCode::CannotOffset;
     const MessageBar::Verb mend =
-        isOfStock ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
-                  : MessageBar::Verb{tr("Export somewhere else…"), [this, path, kind] {
-                                         const QString other =
-                                             askForPath(&m_window, kind, withoutExportSuffix(path));
-                                         if (!other.isEmpty())
-                                             writeTo({other, kind.key}, m_model, Replaces::Asking);
-                                     }};
+        isOfStock
+            ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
+            : MessageBar::Verb{tr("Export somewhere else…"), [this, path, kind] {
+                                   const QString other =
+                                       askForPath(&m_window, kind, baseOf({path, kind.key}, path));
+                                   if (!other.isEmpty())
+                                       writeTo({other, kind.key}, m_model, Replaces::Asking);
+                               }};
     const QString failure = saveFailure(path, error);
     m_messages.show(MessageBar::Severity::Error, {failure}, {mend}, failureDetails(path, error));
     // What is changed then may have mended it.

@@ -48,30 +48,48 @@ QString saveFilter()
 
 namespace {
 
+ExportKind exportKind(const Format &format, const QString &way, const char *text, io::FileUse use)
+{
+    ExportKind kind;
+    kind.key = QLatin1String(format.key) + way;
+    kind.title = QCoreApplication::translate("Format", text);
+    kind.filter = titled(format, text);
+    kind.format = &format;
+    kind.use = use;
+    return kind;
+}
+
 /// In how many ways a format has what is cut, or the solids: as it is usual, and as each choice
 /// that has a title of its own.
 void addWays(const Format &format, std::vector<ExportKind> &kinds)
 {
-    const auto add = [&](const QString &key, const char *title, const char *titleOfSheets,
-                         const io::FormatValues &values) {
-        const auto addOne = [&](const char *how, const char *text, bool isFilePerSheet) {
-            if (*text != '\0')
-                kinds.push_back({QLatin1String(format.key) + key + QLatin1String(how),
-                                 QCoreApplication::translate("Format", text), titled(format, text),
-                                 &format, isFilePerSheet, false, values});
+    const auto add = [&](const QString &way, const char *title, const char *titleOfSheets,
+                         const io::FormatValues &values, io::FileUse use) {
+        const auto addOne = [&](const QString &how, const char *text, bool isFilePerSheet) {
+            if (*text == '\0')
+                return;
+            ExportKind &kind = kinds.emplace_back(exportKind(format, how, text, use));
+            kind.isFilePerSheet = isFilePerSheet;
+            kind.values = values;
         };
-        addOne("", title, false);
+        addOne(way, title, false);
         if (format.writesCutting())
-            addOne("/sheets", titleOfSheets, true);
+            addOne(way + QStringLiteral("/sheets"), titleOfSheets, true);
     };
-    add({}, format.title, format.titleOfSheets, {});
+    const io::FileUse usual = format.writesCutting() ? format.use : io::FileUse::Solids;
+    add({}, format.title, format.titleOfSheets, {}, usual);
     for (const io::FormatOption &option : format.options) {
         double value = 0.0;
         for (const io::FormatOption::Choice &choice : option.choices) {
             add(u'/' + QLatin1String(choice.name), choice.title, choice.titleOfSheets,
-                {{option.name, value}});
+                {{option.name, value}}, choice.use.value_or(usual));
             ++value;
         }
+    }
+    if (*format.titleOfFolder != '\0') {
+        kinds.push_back(exportKind(format, QStringLiteral("/folder"), format.titleOfFolder, usual));
+        kinds.back().isFolder = true;
+        kinds.back().filter = kinds.back().title;
     }
 }
 
@@ -84,14 +102,11 @@ std::vector<ExportKind> exportKinds()
         addWays(*format, kinds);
     for (const Format *format : io::formatsThat(&Format::writesSolids))
         addWays(*format, kinds);
-    for (const Format *format : io::formatsThat(&Format::writesSkins))
-        kinds.push_back({QLatin1String(format->key) + QStringLiteral("/skin"),
-                         QCoreApplication::translate("Format", format->titleOfSkin),
-                         titled(*format, format->titleOfSkin),
-                         format,
-                         false,
-                         true,
-                         {}});
+    for (const Format *format : io::formatsThat(&Format::writesSkins)) {
+        kinds.push_back(
+            exportKind(*format, QStringLiteral("/skin"), format->titleOfSkin, io::FileUse::Solids));
+        kinds.back().isSkin = true;
+    }
     return kinds;
 }
 

@@ -1,15 +1,11 @@
 // What file dialogs offer, from the table of formats (core/io/formats.h).
 #pragma once
 
-#include "core/io/read_options.h"
+#include "core/io/formats.h"
 
 #include <QString>
 
 #include <vector>
-
-namespace fff::io {
-struct Format;
-}
 
 namespace fff::ui {
 
@@ -27,7 +23,9 @@ struct ExportKind
     QString filter; // "Drawings for cutters (*.svg)"
     const io::Format *format = nullptr;
     bool isFilePerSheet = false;
-    bool isSkin = false;     // of the model, in place of its solids
+    bool isSkin = false;   // of the model, in place of its solids
+    bool isFolder = false; // of several files
+    io::FileUse use = io::FileUse::Cutting;
     io::FormatValues values; // of the format's options
 };
 /// Never empty; cutting files first.

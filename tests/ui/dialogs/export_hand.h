@@ -6,6 +6,7 @@
 #include "ui/dialogs/export_dialog.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -70,6 +71,18 @@ inline void typeInto(QDialog *dialog, const char *field, const QString &text)
     box->selectAll();
     QTest::keyClicks(box, text);
     QTest::keyClick(box, Qt::Key_Return);
+}
+
+/// As a person who goes through the rows, to the first that begins so.
+inline void chooseRow(QDialog *dialog, const char *name, const QString &begin)
+{
+    auto *box = dialog->findChild<QComboBox *>(QLatin1String(name));
+    QVERIFY2(box && box->isVisible(), name);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Home);
+    for (int i = 0; i < box->count() && !box->currentText().startsWith(begin); ++i)
+        QTest::keyClick(box, Qt::Key_Down);
+    QVERIFY2(box->currentText().startsWith(begin), qPrintable(box->currentText()));
 }
 
 inline QString textOf(QDialog *dialog, const char *label)

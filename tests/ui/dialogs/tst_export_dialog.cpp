@@ -366,7 +366,9 @@ void TestExportDialog::solidsHaveNoSheets()
 {
     draw(squareDocument());
     inExportPanel(*m_window, [&](QDialog *dialog) {
+        chooseRow(dialog, "exportUse", QStringLiteral("Solids"));
         auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportFile"));
+        QCOMPARE(box->count(), 7);
         box->setFocus();
         QTest::keyClick(box, Qt::Key_End);
         QCOMPARE(box->currentText(), QStringLiteral("STL, skin as a mesh"));

@@ -18,6 +18,8 @@
 #include <QUrl>
 #include <QWidget>
 
+#include <map>
+
 using namespace fff;
 using namespace Qt::Literals::StringLiterals;
 
@@ -46,6 +48,7 @@ private Q_SLOTS:
     void inEnglish();
     void inGerman();
     void anAddedFormat();
+    void eachKindHasItsUse();
     void whatIsDropped();
     void whatHasNoNameIsNotNamed();
 };
@@ -86,6 +89,7 @@ void TestFormatFilters::inEnglish()
                                u"Picture of the sheets (*.png)"_s,
                                u"Pictures, one for each sheet (*.png)"_s,
                                u"All for the workshop, packed (*.zip)"_s,
+                               u"All for the workshop, in a folder"_s,
                                u"OBJ, solids in place (*.obj)"_s,
                                u"STL, solids in place (*.stl)"_s,
                                u"STL, solids lying flat (*.stl)"_s,
@@ -110,19 +114,30 @@ void TestFormatFilters::inGerman()
     QCOMPARE(models, QStringLiteral("Modelle (*.fff *.txt);;Alle Dateien (*)"));
     QCOMPARE(drawings, QStringLiteral("Zeichnungen (*.svg *.svgz);;Alle Dateien (*)"));
     QCOMPARE(saved, QStringLiteral("FlatFitFab-Modelle (*.fff)"));
-    const QStringList expected{
-        u"SVG in Originalgröße (*.svg)"_s,        u"SVG, eine je Platte (*.svg)"_s,
-        u"DXF in Originalgröße (*.dxf)"_s,        u"DXF, eine je Platte (*.dxf)"_s,
-        u"DXF für alte Programme, R12 (*.dxf)"_s, u"PDF, eine Seite je Platte (*.pdf)"_s,
-        u"PDF, auf A4 verteilt (*.pdf)"_s,        u"PDF, auf Letter verteilt (*.pdf)"_s,
-        u"LightBurn-Projekt (*.lbrn2)"_s,         u"LightBurn, eins je Platte (*.lbrn2)"_s,
-        u"G-Code für GRBL-Laser (*.gcode)"_s,     u"G-Code, einer je Platte (*.gcode)"_s,
-        u"Stückliste für Tabellen (*.csv)"_s,     u"Bild der Platten (*.png)"_s,
-        u"Bilder, eins je Platte (*.png)"_s,      u"Alles für die Werkstatt, gepackt (*.zip)"_s,
-        u"OBJ, Körper an ihrem Platz (*.obj)"_s,  u"STL, Körper an ihrem Platz (*.stl)"_s,
-        u"STL, Körper flach liegend (*.stl)"_s,   u"3MF, Körper an ihrem Platz (*.3mf)"_s,
-        u"3MF, Körper flach liegend (*.3mf)"_s,   u"OBJ, Haut als Netz (*.obj)"_s,
-        u"STL, Haut als Netz (*.stl)"_s};
+    const QStringList expected{u"SVG in Originalgröße (*.svg)"_s,
+                               u"SVG, eine je Platte (*.svg)"_s,
+                               u"DXF in Originalgröße (*.dxf)"_s,
+                               u"DXF, eine je Platte (*.dxf)"_s,
+                               u"DXF für alte Programme, R12 (*.dxf)"_s,
+                               u"PDF, eine Seite je Platte (*.pdf)"_s,
+                               u"PDF, auf A4 verteilt (*.pdf)"_s,
+                               u"PDF, auf Letter verteilt (*.pdf)"_s,
+                               u"LightBurn-Projekt (*.lbrn2)"_s,
+                               u"LightBurn, eins je Platte (*.lbrn2)"_s,
+                               u"G-Code für GRBL-Laser (*.gcode)"_s,
+                               u"G-Code, einer je Platte (*.gcode)"_s,
+                               u"Stückliste für Tabellen (*.csv)"_s,
+                               u"Bild der Platten (*.png)"_s,
+                               u"Bilder, eins je Platte (*.png)"_s,
+                               u"Alles für die Werkstatt, gepackt (*.zip)"_s,
+                               u"Alles für die Werkstatt, in einem Ordner"_s,
+                               u"OBJ, Körper an ihrem Platz (*.obj)"_s,
+                               u"STL, Körper an ihrem Platz (*.stl)"_s,
+                               u"STL, Körper flach liegend (*.stl)"_s,
+                               u"3MF, Körper an ihrem Platz (*.3mf)"_s,
+                               u"3MF, Körper flach liegend (*.3mf)"_s,
+                               u"OBJ, Haut als Netz (*.obj)"_s,
+                               u"STL, Haut als Netz (*.stl)"_s};
     QCOMPARE(kinds, expected.join(u'|'));
     QCOMPARE(said,
              QStringLiteral("b.png ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab."));
@@ -135,11 +150,33 @@ void TestFormatFilters::anAddedFormat()
     QCOMPARE(ui::drawingFilter(), QStringLiteral("Drawings (*.svg *.svgz *.knots);;All files (*)"));
     QCOMPARE(ui::saveFilter(), QStringLiteral("FlatFitFab models (*.fff)"));
     const QString all = exported();
-    QVERIFY2(all.contains(u"packed (*.zip)|Knots (*.knots)|Knots, one file for each sheet "
+    QVERIFY2(all.contains(u"in a folder|Knots (*.knots)|Knots, one file for each sheet "
                           "(*.knots)|OBJ, solids in place (*.obj)|"_s),
              qPrintable(all));
     QCOMPARE(notAModel(), QStringLiteral("b.png is not a model. FlatFitFab opens .fff, FlatFab’s "
                                          ".txt and Knots’s .knots."));
+}
+
+// Few things to choose from, though there are many kinds: Export asks for the use first.
+void TestFormatFilters::eachKindHasItsUse()
+{
+    const std::vector<ui::ExportKind> kinds = ui::exportKinds();
+    std::map<io::FileUse, QStringList> keys;
+    for (const ui::ExportKind &kind : kinds)
+        if (!kind.isFilePerSheet)
+            keys[kind.use] += kind.key;
+    QCOMPARE(keys[io::FileUse::Cutting].join(u' '), u"svg dxf dxf/r12 pdf lbrn2 gcode"_s);
+    QCOMPARE(keys[io::FileUse::Paper].join(u' '), u"pdf/a4 pdf/letter png"_s);
+    QCOMPARE(keys[io::FileUse::Solids].join(u' '),
+             u"obj stl stl/flat 3mf 3mf/flat obj/skin stl/skin"_s);
+    QCOMPARE(keys[io::FileUse::Parts].join(u' '), u"csv"_s);
+    QCOMPARE(keys[io::FileUse::Workshop].join(u' '), u"zip zip/folder"_s);
+    // What has a file for each sheet is a box to check beside the same with all of them.
+    for (const ui::ExportKind &kind : kinds)
+        if (kind.isFilePerSheet)
+            QVERIFY2(kind.key.endsWith(u"/sheets"_s) &&
+                         keys[kind.use].contains(kind.key.chopped(QStringView(u"/sheets").size())),
+                     qPrintable(kind.key));
 }
 
 void TestFormatFilters::whatIsDropped()

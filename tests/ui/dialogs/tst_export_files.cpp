@@ -1,0 +1,140 @@
+// What Export can write, and where to: what it is for, then the format; a folder for a workshop. If
+// this fails, somebody searches for a format, or a workshop lacks a file.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/io/archive.h"
+#include "core/io/document_file.h"
+#include "tests/test_program.h"
+#include "tests/ui/dialogs/export_hand.h"
+#include "ui/base/translations.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+
+#include <algorithm>
+
+using namespace fff;
+using namespace fff::ui;
+
+class TestExportFiles : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+
+    void aUseThenAFile();
+    void aFolderForTheWorkshop();
+
+private:
+    QString file(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
+    std::string written(const char *name) const
+    {
+        return io::readFile(file(name)).value_or(std::string());
+    }
+    void draw(const Document &document);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    MainWindow *m_window = nullptr;
+};
+
+void TestExportFiles::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    Settings::setFile(file("settings.ini"));
+    m_window = openWindow();
+    m_window->show();
+}
+
+void TestExportFiles::cleanup()
+{
+    closeEverything();
+}
+
+void TestExportFiles::draw(const Document &document)
+{
+    m_window->bench().session().commit(QStringLiteral("draw"), document);
+}
+
+// Few rows instead of one for each way of each format.
+void TestExportFiles::aUseThenAFile()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        const auto box = [dialog](const char *name) {
+            return dialog->findChild<QComboBox *>(QLatin1String(name));
+        };
+        auto *perSheet = dialog->findChild<QCheckBox *>(QStringLiteral("exportFilePerSheet"));
+        QCOMPARE(box("exportUse")->count(), 5);
+        QCOMPARE(box("exportFile")->count(), 6);
+        chooseRow(dialog, "exportFile", QStringLiteral("LightBurn"));
+        QVERIFY(perSheet->isVisible() && !perSheet->isChecked());
+        QTest::mouseClick(perSheet, Qt::LeftButton, {}, {8, 8});
+        QVERIFY(perSheet->isChecked());
+        QVERIFY(box("exportFile")->currentText().startsWith(QStringLiteral("LightBurn")));
+        // A box that is checked stays so where the next format has a file for each sheet, too.
+        chooseRow(dialog, "exportFile", QStringLiteral("DXF, true"));
+        QVERIFY(perSheet->isChecked());
+        chooseRow(dialog, "exportFile", QStringLiteral("DXF for old"));
+        QVERIFY(!perSheet->isVisible());
+        chooseRow(dialog, "exportUse", QStringLiteral("List"));
+        QVERIFY(!box("exportFile")->isVisible()); // there is but one
+        chooseRow(dialog, "exportUse", QStringLiteral("Paper"));
+        chooseRow(dialog, "exportFile", QStringLiteral("PDF, tiled on Letter"));
+        chooseRow(dialog, "exportUse", QStringLiteral("Cutting"));
+        QVERIFY(box("exportFile")->currentText().startsWith(QStringLiteral("DXF for old")));
+        nameTheFile(file("old.dxf"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(written("old.dxf").find("AC1009") != std::string::npos);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportFile"));
+        QVERIFY(box->currentText().startsWith(QStringLiteral("DXF for old")));
+        chooseRow(dialog, "exportUse", QStringLiteral("Paper"));
+        QCOMPARE(box->currentText(), QStringLiteral("PDF, tiled on Letter"));
+    });
+}
+
+// All that a workshop asks for, with the steps; the second time without a question.
+void TestExportFiles::aFolderForTheWorkshop()
+{
+    draw(squareDocument());
+    QVERIFY(m_window->files().saveFile(file("chair.fff")));
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        chooseRow(dialog, "exportUse", QStringLiteral("Everything"));
+        chooseRow(dialog, "exportFile", QStringLiteral("All for the workshop, in a folder"));
+        nameTheFile(QFileInfo(file("chair.fff")).absolutePath());
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    const QDir folder(file("chair for the workshop"));
+    QVERIFY(folder.exists());
+    const QStringList names = folder.entryList(QDir::Files);
+    for (const char *name :
+         {"sheets.svg", "sheets.dxf", "sheets-r12.dxf", "sheets-a4.pdf", "sheets.lbrn2",
+          "sheets.gcode", "parts.csv", "coupon.svg", "steps.pdf"})
+        QVERIFY2(names.contains(QLatin1String(name)), name);
+    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("sheets.svg"))));
+    actionOf(*m_window, "file.exportAgain")->trigger(); // a question would hang here
+    QVERIFY(QFileInfo::exists(folder.filePath(QStringLiteral("sheets.svg"))));
+    // Another file goes beside the folder, by the model's name.
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        chooseRow(dialog, "exportFile", QStringLiteral("All for the workshop, packed"));
+        nameTheFile(file("chair.zip"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    const auto packed = io::entryNames(written("chair.zip"), "chair.zip");
+    QVERIFY(packed && std::find(packed->begin(), packed->end(), "steps.pdf") != packed->end());
+}
+
+FFF_TEST_WITH(TestExportFiles, [](int argc, char *argv[]) {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setQuitOnLastWindowClosed(false);
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    installTranslations(application);
+    TestExportFiles test;
+    return QTest::qExec(&test, argc, argv);
+})
+#include "tst_export_files.moc"

@@ -1,0 +1,104 @@
+#include "ui/files/workshop.h"
+
+#include "core/analysis/planned.h"
+#include "core/io/error_text.h"
+#include "core/session/assembly_steps.h"
+#include "core/session/scheduler.h"
+#include "core/session/session.h"
+#include "ui/base/file_dialog.h"
+#include "ui/files/progress.h"
+#include "ui/properties/stock_choice.h"
+#include "ui/settings/settings.h"
+#include "ui/view/steps_files.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+namespace fff::ui {
+
+namespace {
+
+struct WorkshopTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::Workshop)
+};
+
+const QString kStepsFile = QStringLiteral("steps.pdf");
+
+QString folderName(const QString &model)
+{
+    //: %1 is a model's name: what a folder of its files for a workshop is called
+    return WorkshopTexts::tr("%1 for the workshop").arg(model);
+}
+
+WorkshopSteps withoutSteps(const QString &why)
+{
+    //: %1 is a sentence
+    const QString text = WorkshopTexts::tr("The steps are not among the files: %1").arg(why);
+    return {{}, text, false};
+}
+
+StepsFiles::Options paperOptions(const QWidget &window, const QString &title)
+{
+    StepsFiles::Options options;
+    options.kind = StepsFiles::Kind::Paper;
+    options.paper = {title, StepsPaper::usualSize(window.locale()), settings().unit(), stockName};
+    orientationOfView("iso1", options.looking.orientation);
+    return options;
+}
+
+} // namespace
+
+QString askForWorkshopFolder(QWidget *parent, const QString &suggestion)
+{
+    const QFileInfo model(suggestion);
+    const bool hasName = model.fileName().endsWith(folderName({})); // it was one before
+    const QString name = hasName ? model.fileName() : folderName(model.fileName());
+    FileDialog dialog(parent, WorkshopTexts::tr("Where to put the folder “%1”").arg(name),
+                      model.absolutePath());
+    dialog.setObjectName(QStringLiteral("exportFolderDialog"));
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    dialog.setLabelText(QFileDialog::Accept, WorkshopTexts::tr("Put it here"));
+    if (dialog.exec() != QDialog::Accepted)
+        return {};
+    return QDir(dialog.selectedFiles().value(0)).filePath(name);
+}
+
+std::vector<io::NamedBytes> inWorkshopFolder(const QString &folder,
+                                             std::vector<io::NamedBytes> files)
+{
+    QDir().mkpath(folder);
+    for (io::NamedBytes &file : files)
+        file.path = QDir(folder).filePath(file.path);
+    return files;
+}
+
+WorkshopSteps workshopSteps(QWidget &window, const Session &session, const QString &doing,
+                            const QString &title)
+{
+    const Scheduler &scheduler = session.scheduler();
+    if (!waitWithProgress(window, doing, MayCancel::Yes,
+                          [&scheduler] { return scheduler.isSettled(kPlanned.name); }))
+        return {{}, {}, true};
+    if (const auto why = scheduler.whyNot(kPlanned.name))
+        return withoutSteps(io::errorSentence(*why) + u'.');
+    const auto planned = scheduler.result(kPlanned);
+    const AssemblyStepsPointer steps =
+        planned ? assemblySteps(planned->analysis, planned->plan) : nullptr;
+    if (!steps)
+        return withoutSteps(whyNoSteps(session.analysis(), planned ? planned->plan : ModelPlan()));
+    StepsFiles files(steps, paperOptions(window, title));
+    if (!files.isUsable())
+        return withoutSteps(WorkshopTexts::tr("no picture can be made on this display."));
+    const Pieces made = doInPieces(window, doing, files.pieceCount(),
+                                   [&files](int piece) { return files.makePiece(piece); });
+    if (made == Pieces::GivenUp)
+        return {{}, {}, true};
+    if (made == Pieces::Failed)
+        return withoutSteps(WorkshopTexts::tr("no picture can be made on this display."));
+    return {{{kStepsFile, files.take().front()}}, {}, false};
+}
+
+} // namespace fff::ui
