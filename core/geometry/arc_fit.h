@@ -8,8 +8,9 @@
 
 namespace fff {
 
-/// Largest distance of the arcs that are cut from the curves that they stand for, mm.
-inline constexpr double kArcError = 0.01;
+/// Largest distance of the arcs that are cut from the curves that they stand for, mm. A tool may
+/// enter a part by 0.005, of which kerf and the grid of a file take some.
+inline constexpr double kArcError = 0.003;
 
 /// Appends edges and arcs that run along the curve from its start to its end, both of which they
 /// keep to the last bit: one arc where one is enough, else two that meet in a common tangent and

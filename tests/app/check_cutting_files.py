@@ -20,7 +20,7 @@ from collections import Counter
 import ezdxf
 
 CHORDS = 80  # of a curve
-CURVE_ERROR = 0.0101  # mm, of arcs
+CURVE_ERROR = 0.0031  # mm, of arcs
 LENGTH_ERROR = 2e-4  # share
 ENGRAVED, SCORED, CUT = "engraved", "scored", "cut"
 SVG_COLOURS = {"#0000ff": ENGRAVED, "#000000": ENGRAVED, "#00ff00": SCORED, "#ff0000": CUT}

@@ -9,4 +9,5 @@ fff_tests(tests_fabrication LIBRARIES fff::session Polyclipping::Polyclipping TE
     core/fabrication/tst_marks
     core/fabrication/tst_nested_layout
     core/fabrication/tst_part_list
-    core/fabrication/tst_parts)
+    core/fabrication/tst_parts
+    core/fabrication/tst_swept_files)
