@@ -225,7 +225,9 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     } else if (kind.isFolder) {
         files = inWorkshopFolder(path, file.several);
     }
-    if (files.size() > 1 && replaces == Replaces::Asking && !mayReplace(m_window, files))
+    // The file dialog has asked about a single one.
+    if ((kind.isFilePerSheet || kind.isFolder) && replaces == Replaces::Asking &&
+        !mayReplace(m_window, files))
         return false;
     const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
         return files.size() == 1 ? io::writeFile(files[0].path, files[0].bytes)
