@@ -86,4 +86,5 @@ target_sources(fff_core PRIVATE
     interaction/load_gesture.cpp
     interaction/load_marks.cpp
     interaction/load_tool.cpp
+    interaction/value_editing.cpp
 )

@@ -36,4 +36,5 @@ target_sources(fff_core PRIVATE
     operations/source_crossing.cpp
     operations/spine_planes.cpp
     operations/symmetry.cpp
+    operations/value_dependents.cpp
 )

@@ -1,8 +1,8 @@
 #include "core/session/value_commands.h"
 
-#include "core/interaction/section_edit.h"
+#include "core/interaction/value_editing.h"
 #include "core/model/value_names.h"
-#include "core/operations/driven.h"
+#include "core/operations/drivable.h"
 #include "core/session/command_rules.h"
 #include "core/session/message_text.h"
 #include "core/session/operation_script.h"
@@ -15,18 +15,6 @@
 namespace fff {
 
 namespace {
-
-//: %1 is the name of a value
-constexpr Text kAddValue = FFF_TEXT("Step", "Add %1");
-//: %1 is the name of a value
-constexpr Text kSetValue = FFF_TEXT("Step", "Set %1");
-//: %1 is the name a value had, %2 the one that it has now
-constexpr Text kRenameValue = FFF_TEXT("Step", "Rename %1 to %2");
-//: %1 is the name of a value
-constexpr Text kDeleteValue = FFF_TEXT("Step", "Delete %1");
-//: %n numbers were made of a value that is removed
-constexpr Text kNowNumbers =
-    FFF_TEXT_OF_MANY("Hint", "%n that were made of it are plain numbers now.");
 
 Reading scriptReading()
 {
@@ -108,8 +96,7 @@ public:
         const Result<Value> wanted = withSaid(parameters, std::move(value));
         if (!wanted)
             return tl::unexpected(wanted.error());
-        return carryOut(addValue(document(), *wanted), {kAddValue, {Named{name}}}, "expression",
-                        parameters, time);
+        return carryOut(valueAdded(document(), *wanted), "expression", parameters, time);
     }
 
     Result<void> set(const CommandParameters &parameters, double time) const
@@ -120,10 +107,8 @@ public:
         const Result<Value> wanted = withSaid(parameters, *known);
         if (!wanted)
             return tl::unexpected(wanted.error());
-        Step step{kSetValue, {Named{known->name}}};
-        step.merges = said(parameters, "merges");
-        return carryOut(changeValue(document(), *wanted), std::move(step), "expression", parameters,
-                        time);
+        return carryOut(valueChanged(document(), *wanted, said(parameters, "merges")), "expression",
+                        parameters, time);
     }
 
     Result<void> rename(const CommandParameters &parameters, double time) const
@@ -131,9 +116,8 @@ public:
         const Value *known = document().values.find(std::string_view(said(parameters, "name")));
         if (!known)
             return unknown(parameters);
-        const std::string to = said(parameters, "to");
-        return carryOut(renameValue(document(), known->id, to),
-                        {kRenameValue, {Named{known->name}, Named{to}}}, "to", parameters, time);
+        return carryOut(valueRenamed(document(), known->id, said(parameters, "to")), "to",
+                        parameters, time);
     }
 
     Result<void> remove(const CommandParameters &parameters, double time) const
@@ -141,12 +125,7 @@ public:
         const Value *known = document().values.find(std::string_view(said(parameters, "name")));
         if (!known)
             return unknown(parameters);
-        RemovedValue removed = removeValue(document(), known->id);
-        EditedSections edit{std::move(removed.document), {kDeleteValue, {Named{known->name}}}};
-        if (removed.users > 0)
-            edit.note = Hint(Message{kNowNumbers, {}, removed.users});
-        m_interaction.carryOut(std::move(edit), time);
-        return {};
+        return carryOut(valueRemoved(document(), known->id), "name", parameters, time);
     }
 
     Result<void> bind(const CommandParameters &parameters, double time) const
@@ -154,11 +133,9 @@ public:
         const std::optional<DrivenPlace> place = placeOfKey(document(), said(parameters, "place"));
         if (!place)
             return noPlace(parameters);
-        auto next = bound(document(), *place, said(parameters, "expression"), scriptReading());
-        if (!next)
-            return refuse(next.error(), "expression", parameters, time);
-        m_interaction.carryOut(EditedSections{*std::move(next), stepOf(*place)}, time);
-        return {};
+        return carryOut(
+            numberBound(document(), *place, said(parameters, "expression"), scriptReading()),
+            "expression", parameters, time);
     }
 
     Result<void> release(const CommandParameters &parameters, double time) const
@@ -166,9 +143,7 @@ public:
         const std::optional<DrivenPlace> place = placeOfKey(document(), said(parameters, "place"));
         if (!place)
             return noPlace(parameters);
-        m_interaction.carryOut(EditedSections{withoutBinding(document(), *place), stepOf(*place)},
-                               time);
-        return {};
+        return carryOut(numberReleased(document(), *place), "place", parameters, time);
     }
 
 private:
@@ -189,28 +164,18 @@ private:
         return failure(ErrorCode::BadValue, "place",
                        {said(parameters, "place"), "a number of the model"});
     }
-    Step stepOf(const DrivenPlace &place) const { return {kSetValue, {nameOf(document(), place)}}; }
 
     /// The person reads why; a script learns where.
-    Result<void> refuse(const Message &why, const char *key, const CommandParameters &parameters,
-                        double time) const
+    Result<void> carryOut(SectionEdit edit, const char *key, const CommandParameters &parameters,
+                          double time) const
     {
-        Hint hint(why);
-        hint.isRefusal = true;
-        m_interaction.say(std::move(hint), time);
-        return failure(ErrorCode::BadValue, key,
-                       {said(parameters, key), messageText(why).toStdString()});
-    }
-
-    Result<void> carryOut(Understood<Document> next, Step step, const char *key,
-                          const CommandParameters &parameters, double time) const
-    {
-        if (!next)
-            return refuse(next.error().message, key, parameters, time);
-        if (const std::optional<Message> wrong = newlyWrong(document(), *next))
-            return refuse(*wrong, key, parameters, time);
-        m_interaction.carryOut(EditedSections{*std::move(next), std::move(step)}, time);
-        return {};
+        const std::string why =
+            edit ? std::string() : messageText(edit.error().words).toStdString();
+        const bool isMade = edit.has_value();
+        m_interaction.carryOut(std::move(edit), time);
+        if (isMade)
+            return {};
+        return failure(ErrorCode::BadValue, key, {said(parameters, key), why});
     }
 
     Session &m_session;

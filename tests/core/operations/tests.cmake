@@ -19,4 +19,5 @@ fff_tests(tests_operations LIBRARIES fff::io TESTS
     core/operations/tst_slice_sides
     core/operations/tst_slices
     core/operations/tst_slices_along
-    core/operations/tst_template_edits)
+    core/operations/tst_template_edits
+    core/operations/tst_value_dependents)

@@ -1,0 +1,102 @@
+#include "core/interaction/value_editing.h"
+
+#include "core/operations/driven.h"
+#include "core/values/expression_words.h"
+
+#include <optional>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+//: %1 is the name of a value
+constexpr Text kAddValue = FFF_TEXT("Step", "Add %1");
+//: %1 is the name of a value
+constexpr Text kSetValue = FFF_TEXT("Step", "Set %1");
+//: %1 is the name a value had, %2 the one that it has now
+constexpr Text kRenameValue = FFF_TEXT("Step", "Rename %1 to %2");
+//: %1 is the name of a value
+constexpr Text kDeleteValue = FFF_TEXT("Step", "Delete %1");
+//: %n numbers were made of a value that is removed
+constexpr Text kNowNumbers =
+    FFF_TEXT_OF_MANY("Hint", "%n that were made of it are plain numbers now.");
+
+tl::unexpected<Hint> refusedWith(Message why)
+{
+    Hint hint(std::move(why));
+    hint.isRefusal = true;
+    return tl::unexpected(std::move(hint));
+}
+
+SectionEdit checkedEdit(const Document &before, Understood<Document> next, Step step)
+{
+    if (!next)
+        return refusedWith(next.error().message);
+    if (std::optional<Message> wrong = newlyWrong(before, *next))
+        return refusedWith(*std::move(wrong));
+    return EditedSections{*std::move(next), std::move(step)};
+}
+
+Step stepAt(const Document &document, const DrivenPlace &place)
+{
+    return {kSetValue, {nameOf(document, place)}};
+}
+
+} // namespace
+
+SectionEdit valueAdded(const Document &document, Value value)
+{
+    Step step{kAddValue, {Named{value.name}}};
+    return checkedEdit(document, addValue(document, std::move(value)), std::move(step));
+}
+
+SectionEdit valueChanged(const Document &document, Value value, std::string merges)
+{
+    Step step{kSetValue, {Named{value.name}}};
+    step.merges = std::move(merges);
+    return checkedEdit(document, changeValue(document, std::move(value)), std::move(step));
+}
+
+SectionEdit valueRenamed(const Document &document, ValueId id, const std::string &name)
+{
+    const Value *known = document.values.find(id);
+    Step step{kRenameValue, {Named{known ? known->name : std::string()}, Named{name}}};
+    return checkedEdit(document, renameValue(document, id, name), std::move(step));
+}
+
+SectionEdit valueRemoved(const Document &document, ValueId id)
+{
+    const Value *known = document.values.find(id);
+    if (!known)
+        return refused(expression_words::kNoSuchValue);
+    RemovedValue removed = removeValue(document, id);
+    EditedSections edit{std::move(removed.document), {kDeleteValue, {Named{known->name}}}};
+    if (removed.users > 0)
+        edit.note = Hint(Message{kNowNumbers, {}, removed.users});
+    return edit;
+}
+
+SectionEdit numberBound(const Document &document, const DrivenPlace &place, std::string typed,
+                        const Reading &reading)
+{
+    auto next = bound(document, place, std::move(typed), reading);
+    if (!next)
+        return refusedWith(next.error());
+    return EditedSections{*std::move(next), stepAt(document, place)};
+}
+
+SectionEdit numberReleased(const Document &document, const DrivenPlace &place)
+{
+    return EditedSections{withoutBinding(document, place), stepAt(document, place)};
+}
+
+std::string freeValueName(const Values &values, const std::string &wanted)
+{
+    std::string name = wanted;
+    for (int number = 2; values.find(std::string_view(name)); ++number)
+        name = wanted + std::to_string(number);
+    return name;
+}
+
+} // namespace fff
