@@ -3234,6 +3234,36 @@
         <source>See which keys do what, and choose your own</source>
         <translation>Sieh nach, welche Tasten was tun, und wähle eigene</translation>
     </message>
+    <message>
+        <source>Go to the values</source>
+        <translation>Zu den Werten</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Adjust the values that numbers of the model are made of</source>
+        <translation>Die Werte einstellen, aus denen Zahlen des Modells entstehen</translation>
+    </message>
+    <message>
+        <source>New value</source>
+        <translation>Neuer Wert</translation>
+    </message>
+    <message>
+        <source>A number with a name, which number fields take</source>
+        <translation>Eine Zahl mit einem Namen, den Zahlenfelder annehmen</translation>
+        <source>&amp;Fit coupon…</source>
+        <translation>Pass&amp;probe …</translation>
+    </message>
+    <message>
+        <source>Fit coupon</source>
+        <translation>Passprobe</translation>
+    </message>
+    <message>
+        <source>Write a test piece that tells which slits fit and how wide the machine cuts</source>
+        <translation>Ein Teststück schreiben, das zeigt, welche Schlitze passen und wie breit die Maschine schneidet</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -9071,6 +9101,23 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::CouponExport</name>
+    <message>
+        <source>Write a fit coupon</source>
+        <translation>Passprobe schreiben</translation>
+    </message>
+    <message>
+        <source>%1 coupon</source>
+        <extracomment>%1 is a model&apos;s name: what the file of its test piece is called</extracomment>
+        <translation>%1 Passprobe</translation>
+    </message>
+    <message>
+        <source>Wrote a fit coupon to %1. Cut it and push the strip into its slits; Export asks which one fitted.</source>
+        <extracomment>%1 is the name of a file</extracomment>
+        <translation>Passprobe in %1 geschrieben. Schneide sie und stecke den Streifen in ihre Schlitze; beim Export wählst du, welcher passt.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CutRows</name>
     <message>
         <source>%1: no clearance</source>
@@ -9123,8 +9170,8 @@
         <translation>Schlitz, der passt</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon, which is among the files for the workshop: sets the clearance</source>
-        <translation>Seine Nummer auf dem Probestück, das bei den Dateien für die Werkstatt liegt: setzt das Spiel</translation>
+        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
+        <translation>Seine Nummer auf einer Passprobe (im Menü Datei und bei den Dateien für die Werkstatt): setzt das Spiel</translation>
     </message>
 </context>
 <context>
@@ -9521,13 +9568,13 @@
         <translation>Körper haben keine Platten: Die Datei enthält das Modell, wie es steht, in wahrer Größe, mit seinen Schlitzen.</translation>
     </message>
     <message>
-        <source>Filled: %1</source>
-        <extracomment>%1 is a number with a percent sign</extracomment>
-        <translation>Ausnutzung: %1</translation>
-    </message>
-    <message>
         <source>A skin has no sheets: the file holds the form that the sections suggest, as a surface over their contours.</source>
         <translation>Eine Haut hat keine Platten: Die Datei enthält die Form, die die Scheiben andeuten, als Fläche über ihren Konturen.</translation>
+    </message>
+    <message>
+        <source>Used: %1</source>
+        <extracomment>%1 is a number with a percent sign</extracomment>
+        <translation>Genutzt: %1</translation>
     </message>
 </context>
 <context>
@@ -12317,6 +12364,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>version licence license</source>
         <translation>version lizenz</translation>
     </message>
+    <message>
+        <source>test piece kerf clearance slits comb</source>
+        <translation>teststück schnittbreite spiel schlitze kamm passprobe</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SectionPage</name>
@@ -12628,6 +12679,50 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::SheetGroup</name>
+    <message>
+        <source>On the sheet</source>
+        <translation>Auf der Platte</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Position X, Y</source>
+        <translation>Lage X, Y</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>stays when the rest is nested</source>
+        <translation>bleibt, wenn der Rest neu gelegt wird</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Angeheftet</translation>
+    </message>
+    <message>
+        <source>P pins and unpins the selected part among the sheets</source>
+        <translation>P heftet das gewählte Teil bei den Platten an oder löst es</translation>
+    </message>
+    <message>
+        <source>too large for one</source>
+        <translation>zu groß für eine</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, its first part</source>
+        <extracomment>%1 is &quot;1 of 2&quot;</extracomment>
+        <translation>%1, ihr erstes Teil</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::SheetView</name>
     <message>
         <source>%1 mm, to check the size</source>
@@ -12690,11 +12785,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Wird ausgelegt…</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is a number: how much of the sheets is filled</extracomment>
-        <translation>Wird ausgelegt… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far</source>
         <translation>behält das Beste bisher</translation>
     </message>
@@ -12715,11 +12805,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
-        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 auf %2 · %3 % belegt · %4 zu schneiden</translation>
-    </message>
-    <message>
         <source>Unpin all</source>
         <translation>Alle lösen</translation>
     </message>
@@ -12737,6 +12822,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>etwa %n min</numerusform>
             <numerusform>etwa %n min</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
+        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine cuts</extracomment>
+        <translation>%1 auf %2 · %3 % genutzt · %4 Schnitt</translation>
     </message>
 </context>
 <context>
@@ -14081,6 +14171,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
         <translation>Die Schritte sind nicht bei den Dateien: %1</translation>
     </message>
     <message>

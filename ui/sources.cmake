@@ -101,6 +101,7 @@ target_sources(fff_ui PRIVATE
     docks/templates_dock.cpp
     docks/checks_dock_links.cpp
     docks/trace_preview.cpp
+    files/coupon_export.cpp
     files/document_files.cpp
     files/clipboard_picture.cpp
     files/mesh_import.cpp
@@ -139,6 +140,7 @@ target_sources(fff_ui PRIVATE
     properties/place_group.cpp
     properties/point_rows.cpp
     properties/property_rows.cpp
+    properties/sheet_group.cpp
     properties/segmented_box.cpp
     properties/slider_field.cpp
     properties/stock_box.cpp

@@ -44,6 +44,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/properties/tst_slider_field
     ui/settings/tst_places
     ui/settings/tst_settings
+    ui/sheets/tst_sheet_properties
     ui/sheets/tst_sheets_dock
     ui/start/tst_samples
     ui/start/tst_start_page

@@ -85,6 +85,7 @@ std::span<const SearchWords> SearchTexts::all()
         {"physics.addWeight", QT_TR_NOOP("load mass force")},
         {"physics.addPush", QT_TR_NOOP("force load")},
         {"fabricate.stocks", QT_TR_NOOP("material thickness plywood acrylic kerf")},
+        {"fabricate.coupon", QT_TR_NOOP("test piece kerf clearance slits comb")},
         {"fabricate.sheets", QT_TR_NOOP("nesting layout arrange")},
         {"measure.ruler", QT_TR_NOOP("length distance size dimension")},
         {"measure.dimension", QT_TR_NOOP("scale size resize")},

@@ -23,15 +23,27 @@ constexpr NumberEdit::Range kTabCount{0.0, kMostTabs, 1.0, 0, 0};
 constexpr LengthEdit::Range kTabWidthRange{kLeastTabWidth, kMostTabWidth, 0.1, 1, 2},
     kLeadRange{0.0, kMostLead, 0.5, 1, 2};
 
-LengthRow *finishLength(PropertyGroup *group, CutFinish &finish, const QString &name,
+struct FinishAccess
+{
+    std::function<CutFinish()> read;
+    std::function<void(const CutFinish &)> write;
+
+    void change(const std::function<void(CutFinish &)> &by) const
+    {
+        CutFinish finish = read();
+        by(finish);
+        write(finish);
+    }
+};
+
+LengthRow *finishLength(PropertyGroup *group, const FinishAccess &access, const QString &name,
                         const char *objectName, const LengthEdit::Range &range,
-                        double CutFinish::*value, const std::function<void()> &changed)
+                        double CutFinish::*value)
 {
     auto *row = new LengthRow(
-        name, objectName, range, [&finish, value] { return std::optional(finish.*value); },
-        [&finish, value, changed](double mm) {
-            finish.*value = mm;
-            changed();
+        name, objectName, range, [access, value] { return std::optional(access.read().*value); },
+        [access, value](double mm) {
+            access.change([value, mm](CutFinish &finish) { finish.*value = mm; });
         },
         group);
     group->add(row);
@@ -54,36 +66,35 @@ QString slitNumberText(int number)
 
 } // namespace
 
-std::vector<PropertyRow *> addCutRows(PropertyGroup *group, CutFinish &finish,
-                                      const std::function<void()> &changed)
+std::vector<PropertyRow *> addCutRows(PropertyGroup *group, const std::function<CutFinish()> &read,
+                                      const std::function<void(const CutFinish &)> &write)
 {
+    const FinishAccess access{read, write};
     auto *count = new NumberEdit(kTabCount, QString(), group);
     auto *tabs = new EditorRow(
         CutRowsTexts::tr("Bridges"), "exportBridges", count,
-        [&finish, count] { count->setNumber(finish.tabs); }, group);
+        [read, count] { count->setNumber(read().tabs); }, group);
     tabs->setToolTip(CutRowsTexts::tr("So many short gaps in each part's cut hold it in its sheet; "
                                       "0: none"));
-    QObject::connect(count, &NumberEdit::numberEdited, group, [&finish, changed](double number) {
-        finish.tabs = static_cast<int>(std::lround(number));
-        changed();
+    QObject::connect(count, &NumberEdit::numberEdited, group, [access](double number) {
+        access.change(
+            [number](CutFinish &finish) { finish.tabs = static_cast<int>(std::lround(number)); });
     });
     group->add(tabs);
-    LengthRow *width =
-        finishLength(group, finish, CutRowsTexts::tr("Width of bridges"), "exportBridgeWidth",
-                     kTabWidthRange, &CutFinish::tabWidth, changed);
-    LengthRow *lead = finishLength(group, finish, CutRowsTexts::tr("Run-in of cuts"), "exportLead",
-                                   kLeadRange, &CutFinish::lead, changed);
+    LengthRow *width = finishLength(group, access, CutRowsTexts::tr("Width of bridges"),
+                                    "exportBridgeWidth", kTabWidthRange, &CutFinish::tabWidth);
+    LengthRow *lead = finishLength(group, access, CutRowsTexts::tr("Run-in of cuts"), "exportLead",
+                                   kLeadRange, &CutFinish::lead);
     lead->setToolTip(CutRowsTexts::tr("Each cut begins and ends so far beside its line, in the "
                                       "waste; 0: on the line"));
     auto *box = new QCheckBox(CutRowsTexts::tr("cut once"));
     auto *shared = new EditorRow(
         CutRowsTexts::tr("Shared edges"), "exportSharedCuts", box,
-        [&finish, box] { box->setChecked(finish.sharesCuts); }, group);
+        [read, box] { box->setChecked(read().sharesCuts); }, group);
     shared->setToolTip(
         CutRowsTexts::tr("Of parts that lie against each other, where the spacing is 0"));
-    QObject::connect(box, &QCheckBox::clicked, group, [&finish, changed](bool isOn) {
-        finish.sharesCuts = isOn;
-        changed();
+    QObject::connect(box, &QCheckBox::clicked, group, [access](bool isOn) {
+        access.change([isOn](CutFinish &finish) { finish.sharesCuts = isOn; });
     });
     group->add(shared);
     return {tabs, width, lead, shared};
@@ -102,9 +113,9 @@ PropertyRow *fittedSlitRow(const std::function<double()> &clearance,
             return choices;
         },
         [write](int choice) { write(clearanceOfSlit(choice + 1)); }, parent);
-    row->setToolTip(CutRowsTexts::tr(
-        "Its number on a fit coupon, which is among the files for the workshop: sets the "
-        "clearance"));
+    row->setToolTip(CutRowsTexts::tr("Its number on a fit coupon (in the menu File, and among the "
+                                     "files for the workshop): sets the "
+                                     "clearance"));
     return row;
 }
 

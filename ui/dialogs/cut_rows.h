@@ -11,10 +11,9 @@
 namespace fff::ui {
 
 /// Adds tabs, their width, leads and common lines to the group; all rows that are refreshed.
-/// finish   changed as a person chooses; it outlives the rows
-/// changed  called after that
-std::vector<PropertyRow *> addCutRows(PropertyGroup *group, CutFinish &finish,
-                                      const std::function<void()> &changed);
+/// read   how cuts are made now; what a person chooses of it is written
+std::vector<PropertyRow *> addCutRows(PropertyGroup *group, const std::function<CutFinish()> &read,
+                                      const std::function<void(const CutFinish &)> &write);
 
 /// The slit of a fit coupon that fitted (core/fabrication/fit_coupon.h): what is chosen is written
 /// as the clearance.

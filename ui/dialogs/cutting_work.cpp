@@ -11,6 +11,22 @@
 
 namespace fff::ui {
 
+namespace {
+
+std::vector<SheetPaths> pathsWith(const Nested &nested, const CutFinish &finish)
+{
+    if (!nested.cutting)
+        return {};
+    if (finish.isPlain())
+        return sheetPaths(nested.cutting->drawing);
+    CuttingDrawing drawing = nested.cutting->drawing; // its parts' lines are shared
+    for (CuttingSheet &sheet : drawing.sheets)
+        sheet.finish = finish;
+    return sheetPaths(drawing);
+}
+
+} // namespace
+
 /// A dialog that is closed does not wait for what is worked out for it: that comes to nobody.
 struct CuttingWork::Mail
 {
@@ -45,6 +61,12 @@ void CuttingWork::setWanted(bool isWanted)
     m_nesting->setWanted(this, isWanted);
 }
 
+void CuttingWork::setFinish(const CutFinish &finish)
+{
+    m_finish = finish;
+    begin();
+}
+
 const Cutting *CuttingWork::cutting() const
 {
     return m_made ? m_made->nested->cutting.get() : nullptr;
@@ -63,7 +85,7 @@ bool CuttingWork::isWorking() const
     if (m_session.scheduler().whyNot(kNested.name))
         return false;
     return m_isRunning || !m_made || m_made->nested != m_nesting->result() ||
-           !m_nesting->isCurrent();
+           m_made->finish != m_finish || !m_nesting->isCurrent();
 }
 
 void CuttingWork::begin()
@@ -71,13 +93,12 @@ void CuttingWork::begin()
     if (m_isRunning)
         return; // what is newest by then follows when it is done
     const std::shared_ptr<const Nested> nested = m_nesting->result();
-    if (!nested || (m_made && m_made->nested == nested))
+    if (!nested || (m_made && m_made->nested == nested && m_made->finish == m_finish))
         return;
     m_isRunning = true;
-    QThreadPool::globalInstance()->start([mail = m_mail, nested] {
-        std::vector<SheetPaths> sheets =
-            nested->cutting ? sheetPaths(nested->cutting->drawing) : std::vector<SheetPaths>();
-        auto made = std::make_shared<const Made>(Made{nested->analysis, nested, std::move(sheets)});
+    QThreadPool::globalInstance()->start([mail = m_mail, nested, finish = m_finish] {
+        auto made = std::make_shared<const Made>(
+            Made{nested->analysis, nested, finish, pathsWith(*nested, finish)});
         const std::scoped_lock lock(mail->mutex);
         if (CuttingWork *to = mail->to)
             QMetaObject::invokeMethod(

@@ -32,11 +32,15 @@ public:
     /// Nothing is worked out for it while it is not wanted, as at first.
     void setWanted(bool isWanted);
 
+    /// How cuts are made; none but what is closed until somebody says.
+    void setFinish(const CutFinish &finish);
+
     struct Made
     {
         AnalysisPointer analysis; // that it was made of
         std::shared_ptr<const Nested> nested;
-        std::vector<SheetPaths> sheets; // of its drawing
+        CutFinish finish;
+        std::vector<SheetPaths> sheets; // of its drawing, with that
     };
     /// The newest that is known; null at first. Stays while something newer is worked out.
     const std::shared_ptr<const Made> &made() const { return m_made; }
@@ -59,6 +63,7 @@ private:
     QPointer<SheetNesting> m_nesting;
     std::shared_ptr<Mail> m_mail; // to here, as long as this lives
     std::shared_ptr<const Made> m_made;
+    CutFinish m_finish;
     bool m_isRunning = false;
 };
 

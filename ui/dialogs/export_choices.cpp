@@ -19,6 +19,7 @@ const QString kSpacingKey = QStringLiteral("export/spacing"),
               kTabsKey = QStringLiteral("export/bridges"),
               kTabWidthKey = QStringLiteral("export/bridgeWidth"),
               kLeadKey = QStringLiteral("export/lead"),
+              kOwnCutsKey = QStringLiteral("export/ownCuts"),
               kSharesKey = QStringLiteral("export/sharesCuts"),
               kFolderKey = QStringLiteral("export/opensFolder"),
               kFileKey = QStringLiteral("export/file"), kFilesKey = QStringLiteral("export/files");
@@ -50,7 +51,8 @@ nest::Turning turningKept()
     return switchKept(kTurnsKey, true) ? nest::Turning::Free : nest::Turning::Quarter;
 }
 
-CutFinish finishKept()
+/// Of versions before, which kept no word of it, what is not plain was chosen.
+std::optional<CutFinish> finishKept()
 {
     const CutFinish usual;
     CutFinish finish;
@@ -59,7 +61,7 @@ CutFinish finishKept()
         std::max(kLeastTabWidth, lengthKept(kTabWidthKey, usual.tabWidth, kMostTabWidth));
     finish.lead = lengthKept(kLeadKey, usual.lead, kMostLead);
     finish.sharesCuts = switchKept(kSharesKey, usual.sharesCuts);
-    return finish;
+    return switchKept(kOwnCutsKey, !finish.isPlain()) ? std::optional(finish) : std::nullopt;
 }
 
 } // namespace
@@ -79,12 +81,24 @@ CuttingOptions ExportChoices::cutting() const
     options.layout = layout;
     options.nesting = nesting();
     options.hasReference = hasReference;
-    if (!finish.isPlain())
-        options.finish = finish;
-    for (const auto &one : io::machineLibrary())
-        if (QString::fromStdString(one->key) == machine)
-            options.machine = one;
+    options.finish = finish;
+    options.machine = chosenMachine();
     return options;
+}
+
+std::shared_ptr<const Machine> ExportChoices::chosenMachine() const
+{
+    const auto library = io::machineLibrary();
+    const auto found = std::find_if(library.begin(), library.end(), [this](const auto &one) {
+        return QString::fromStdString(one->key) == machine;
+    });
+    return found == library.end() ? nullptr : *found;
+}
+
+CutFinish ExportChoices::cuts() const
+{
+    const std::shared_ptr<const Machine> chosen = chosenMachine();
+    return finish.value_or((chosen ? *chosen : usualMachine()).finish);
 }
 
 ExportChoices rememberedChoices()
@@ -111,14 +125,17 @@ void rememberChoices(const ExportChoices &choices)
                          QLatin1String(kTurnings[static_cast<std::size_t>(choices.turning)]));
     settings().setMemory(kHolesKey, choices.fillsHoles);
     settings().setMemory(kReferenceKey, choices.hasReference);
-    settings().setMemory(kTabsKey, choices.finish.tabs);
-    settings().setMemory(kTabWidthKey, choices.finish.tabWidth);
-    settings().setMemory(kLeadKey, choices.finish.lead);
-    settings().setMemory(kSharesKey, choices.finish.sharesCuts);
+    const CutFinish finish = choices.finish.value_or(CutFinish());
+    settings().setMemory(kOwnCutsKey, choices.finish.has_value());
+    settings().setMemory(kTabsKey, finish.tabs);
+    settings().setMemory(kTabWidthKey, finish.tabWidth);
+    settings().setMemory(kLeadKey, finish.lead);
+    settings().setMemory(kSharesKey, finish.sharesCuts);
     settings().setMemory(kMachineKey, choices.machine);
     settings().setMemory(kFolderKey, choices.opensFolder);
     settings().setMemory(kFileKey, choices.file);
     settings().setMemory(kFilesKey, choices.files);
+    Q_EMIT settings().exportChanged();
 }
 
 } // namespace fff::ui

@@ -4,11 +4,14 @@
 
 #include "core/analysis/cutting.h"
 #include "core/fabrication/cut_finish.h"
+#include "core/fabrication/machine.h"
 #include "core/io/formats.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace fff::ui {
@@ -32,12 +35,16 @@ struct ExportChoices
     nest::Turning turning = nest::Turning::Free;
     bool fillsHoles = true; // parts lie in holes of others
     bool hasReference = true;
-    CutFinish finish; // plain: as the machine has it
-    QString machine;  // key in the library (core/io/machine_library.h); empty: none in particular
+    std::optional<CutFinish> finish; // none: as the machine has it
+    QString machine; // key in the library (core/io/machine_library.h); empty: none in particular
     bool opensFolder = false; // afterwards
     QString file;             // key; empty: the first there is
     QStringList files;        // the same of each use, the newest first
 
+    /// By its key; null: none in particular.
+    std::shared_ptr<const Machine> chosenMachine() const;
+    /// How cuts will be made.
+    CutFinish cuts() const;
     CuttingOptions cutting() const;
     NestOptions nesting() const;
 };

@@ -55,6 +55,7 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     m_stocks = new StockEdits(bench, this);
     bench.nesting().setOptions(m_choices.nesting());
     m_work = new CuttingWork(bench.session(), bench.nesting(), this);
+    m_work->setFinish(m_choices.cuts());
     m_work->setWanted(true);
 
     auto *middle = new QHBoxLayout;
@@ -77,6 +78,7 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     connect(m_questions, &ExportQuestions::fileChanged, this, &ExportDialog::takeFile);
     connect(m_rows, &ExportRows::layoutChanged, this, [this] {
         m_bench.nesting().setOptions(m_choices.nesting());
+        m_work->setFinish(m_choices.cuts());
         m_preview->refresh(); // margin and bar at once
     });
     connect(m_work, &CuttingWork::changed, this, &ExportDialog::refresh);

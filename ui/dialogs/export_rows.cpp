@@ -102,6 +102,8 @@ PropertyRow *ExportRows::makeMachine(PropertyGroup *group)
         [this](int choice) {
             m_choices.machine =
                 QString::fromStdString(io::machineLibrary()[static_cast<std::size_t>(choice)]->key);
+            m_choices.finish.reset(); // the next one has its own
+            refresh();
             Q_EMIT layoutChanged();
         },
         group);
@@ -147,7 +149,12 @@ PropertyGroup *ExportRows::makeLayout()
 PropertyGroup *ExportRows::makeCuts()
 {
     auto *group = new PropertyGroup(tr("Cuts"), this);
-    for (PropertyRow *row : addCutRows(group, m_choices.finish, [this] { Q_EMIT layoutChanged(); }))
+    const auto write = [this](const CutFinish &finish) {
+        m_choices.finish = finish;
+        Q_EMIT layoutChanged();
+    };
+    for (PropertyRow *row : addCutRows(
+             group, [this] { return m_choices.cuts(); }, write))
         m_rows.push_back(row);
     m_ofSheets.push_back(group);
     return group;

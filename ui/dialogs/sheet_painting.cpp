@@ -7,6 +7,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff::ui {
@@ -81,38 +82,56 @@ void paintNumber(const PartPaths &part, const QTransform &transform, QPainter &p
     painter.setFont(before);
 }
 
-/// Beside the number: that it is pinned, and before it that it keeps to the grain. Where there is
-/// no room for either, the colour of what is pinned has to do.
+constexpr double kBeside = 22.0, kLookRadius = 8.0; // px, of what stands beside a number
+
+bool hasRoomFor(const PartPaths &part, const SheetPainting &how, const QPointF &at)
+{
+    const QRectF box(at - QPointF(kLookRadius, kLookRadius),
+                     QSizeF(2.0 * kLookRadius, 2.0 * kLookRadius));
+    return part.cuts.contains(how.transform.inverted().mapRect(box));
+}
+
+/// Beside or below the number where there is room; else over a corner of the part's box, so that
+/// each pinned part has its pin, however slim it is.
+QPointF pinPlace(const PartPaths &part, const SheetPainting &how)
+{
+    const QPointF middle = how.transform.map(part.roomiest);
+    if (part.hasNumber)
+        for (const QPointF &off : {QPointF(kBeside, 0.0), QPointF(0.0, kBeside),
+                                   QPointF(0.0, -kBeside), QPointF(-kBeside, 0.0)})
+            if (hasRoomFor(part, how, middle + off))
+                return middle + off;
+    return how.transform.map(part.cuts).boundingRect().topRight();
+}
+
+void paintPin(const QPointF &at, QPainter &painter)
+{
+    const int side = static_cast<int>(1.5 * kLookRadius);
+    painter.setPen(hairline(theme().border, 1.0));
+    painter.setBrush(theme().panel);
+    painter.drawEllipse(at, kLookRadius, kLookRadius);
+    painter.drawPixmap(at - 0.5 * QPointF(side, side),
+                       tintedPixmap(QStringLiteral("pin"), side, theme().text,
+                                    painter.device()->devicePixelRatioF()));
+}
+
+/// That it is pinned; and before its number, where there is room, that it keeps to the grain.
 void paintLook(const PartPaths &part, const PartLook &look, const SheetPainting &how,
                QPainter &painter)
 {
-    if (!look.isPinned && !look.keepsToGrain)
+    constexpr double kHead = 3.0; // px
+    if (look.isPinned)
+        paintPin(pinPlace(part, how), painter);
+    const QPointF at = how.transform.map(part.roomiest) - QPointF(kBeside, 0.0);
+    if (!look.keepsToGrain || !hasRoomFor(part, how, at))
         return;
-    constexpr double kBeside = 22.0, kRadius = 8.0, kHead = 3.0; // px
-    const QTransform back = how.transform.inverted();
-    const QPointF middle = how.transform.map(part.roomiest);
-    const auto hasRoom = [&](const QPointF &at) {
-        const QRectF box(at - QPointF(kRadius, kRadius), QSizeF(2.0 * kRadius, 2.0 * kRadius));
-        return part.cuts.contains(back.mapRect(box));
-    };
-    painter.setPen(hairline(theme().border, 1.0));
-    if (const QPointF at = middle + QPointF(kBeside, 0.0); look.isPinned && hasRoom(at)) {
-        const int side = static_cast<int>(1.5 * kRadius);
-        painter.setBrush(theme().panel);
-        painter.drawEllipse(at, kRadius, kRadius);
-        painter.drawPixmap(at - 0.5 * QPointF(side, side),
-                           tintedPixmap(QStringLiteral("pin"), side, theme().text,
-                                        painter.device()->devicePixelRatioF()));
-    }
-    if (const QPointF at = middle - QPointF(kBeside, 0.0); look.keepsToGrain && hasRoom(at)) {
-        painter.setPen(hairline(sheetColours().edge, 1.5));
-        const QPointF end(kRadius, 0.0);
-        painter.drawLine(at - end, at + end);
-        for (const double way : {-1.0, 1.0})
-            for (const double up : {-kHead, kHead})
-                painter.drawLine(at + way * end,
-                                 at + way * (end - QPointF(kHead, 0.0)) + QPointF(0.0, up));
-    }
+    painter.setPen(hairline(sheetColours().edge, 1.5));
+    const QPointF end(kLookRadius, 0.0);
+    painter.drawLine(at - end, at + end);
+    for (const double way : {-1.0, 1.0})
+        for (const double up : {-kHead, kHead})
+            painter.drawLine(at + way * end,
+                             at + way * (end - QPointF(kHead, 0.0)) + QPointF(0.0, up));
 }
 
 void paintGrain(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter)
@@ -201,10 +220,12 @@ void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
         const PartLook look = i < how.looks.size() ? how.looks[i] : PartLook();
         if (look.isLeftOut)
             continue;
-        painter.setPen(hairline(colours.cut, colours.cutWidth));
+        painter.setPen(Qt::NoPen);
         painter.setBrush(look.isPinned ? colours.pinned : colours.part);
         painter.drawPath(how.transform.map(part.cuts));
         painter.setBrush(Qt::NoBrush);
+        painter.setPen(hairline(colours.cut, colours.cutWidth));
+        painter.drawPath(how.transform.map(cutLines(part)));
         painter.setPen(hairline(colours.engraved, 0.8));
         painter.drawPath(how.transform.map(part.engraved));
         painter.setPen(hairline(colours.scored, 0.8));
@@ -214,8 +235,11 @@ void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
             painter.drawPath(how.transform.map(part.label));
         else
             paintNumber(part, how.transform, painter);
-        paintLook(part, look, how, painter);
     }
+    // Over all parts: a pin may reach into the next one.
+    for (std::size_t i = 0; i < std::min(sheet.parts.size(), how.looks.size()); ++i)
+        if (!how.looks[i].isLeftOut)
+            paintLook(sheet.parts[i], how.looks[i], how, painter);
     if (how.hasReference)
         paintReference(how, painter);
     painter.restore();

@@ -1,5 +1,8 @@
 #include "ui/dialogs/sheet_paths.h"
 
+#include "core/base/tolerances.h"
+#include "core/fabrication/cutting_order.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,6 +79,27 @@ QPointF roomiestOf(const QPainterPath &cuts)
     return best;
 }
 
+void appendCuts(const ToolLine &line, QPainterPath &path)
+{
+    path.moveTo(pointOf(line.start()));
+    for (const CubicBezier &curve : line.curves) {
+        if (curve.isStraight(kClipGrid))
+            path.lineTo(pointOf(curve.p3));
+        else
+            path.cubicTo(pointOf(curve.p1), pointOf(curve.p2), pointOf(curve.p3));
+    }
+    if (line.isClosed)
+        path.closeSubpath();
+}
+
+/// The order says nothing here; what there is of each cut does.
+void addFollowed(const CuttingSheet &sheet, SheetPaths &paths)
+{
+    for (const ToolLine &line : inCuttingOrder(sheet))
+        if (line.purpose == Purpose::InnerCut || line.purpose == Purpose::OuterCut)
+            appendCuts(line, paths.parts[line.part].followed);
+}
+
 PartPaths pathsOf(const CuttingPart &part)
 {
     PartPaths paths;
@@ -97,6 +121,11 @@ PartPaths pathsOf(const CuttingPart &part)
 
 } // namespace
 
+const QPainterPath &cutLines(const PartPaths &part)
+{
+    return part.followed.isEmpty() ? part.cuts : part.followed;
+}
+
 std::vector<SheetPaths> sheetPaths(const CuttingDrawing &drawing)
 {
     std::vector<SheetPaths> sheets;
@@ -107,6 +136,8 @@ std::vector<SheetPaths> sheetPaths(const CuttingDrawing &drawing)
         paths.stock = sheet.stock;
         for (const CuttingPart &part : sheet.parts)
             paths.parts.push_back(pathsOf(part));
+        if (!sheet.finish.isPlain())
+            addFollowed(sheet, paths);
     }
     return sheets;
 }

@@ -15,8 +15,10 @@ namespace fff::ui {
 struct PartPaths
 {
     int number = 0;
-    QString name;                  // of its section
-    QPainterPath cuts;             // closed, holes and the outside; by the odd-even rule material
+    QString name;      // of its section
+    QPainterPath cuts; // closed, holes and the outside; by the odd-even rule material
+    // What of them is followed, with bridges, run-ins and edges left out; empty: all, as they are.
+    QPainterPath followed;
     QPainterPath engraved, scored; // that people drew on it
     QPainterPath label;            // strokes of its number, and of those of its joints
     bool hasNumber = false;        // its own, among the label
@@ -31,7 +33,10 @@ struct SheetPaths
     std::vector<PartPaths> parts;
 };
 
-/// One of each sheet, in their order.
+/// What a file has of the part's cuts.
+const QPainterPath &cutLines(const PartPaths &part);
+
+/// One of each sheet, in their order; cuts by the sheets' finish.
 std::vector<SheetPaths> sheetPaths(const CuttingDrawing &drawing);
 
 } // namespace fff::ui

@@ -17,9 +17,11 @@
 #include "ui/properties/place_group.h"
 #include "ui/properties/point_rows.h"
 #include "ui/properties/property_rows.h"
+#include "ui/properties/sheet_group.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/turning_choices.h"
 
+#include <QEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -88,6 +90,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_pointGroup = new PointGroup(m_bench, this);
     m_instanceGroup = new InstanceGroup(m_bench, this);
     auto *stock = new PropertyGroup(tr("Stock"), this);
+    m_sheetGroup = new SheetGroup(m_bench, this);
     m_placeGroup = new PlaceGroup(m_bench, this);
     m_figureGroup = new FigureGroup(m_bench, this);
     m_markGroup = new MarkGroup(m_bench, this);
@@ -116,9 +119,10 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     column->addWidget(m_pointGroup);
     column->addWidget(m_instanceGroup);
     for (QWidget *group :
-         {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_placeGroup),
-          static_cast<QWidget *>(m_figureGroup), static_cast<QWidget *>(m_markGroup),
-          static_cast<QWidget *>(m_magnetGroup), static_cast<QWidget *>(m_jointGroup)})
+         {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_sheetGroup),
+          static_cast<QWidget *>(m_placeGroup), static_cast<QWidget *>(m_figureGroup),
+          static_cast<QWidget *>(m_markGroup), static_cast<QWidget *>(m_magnetGroup),
+          static_cast<QWidget *>(m_jointGroup)})
         column->addWidget(group);
 }
 
@@ -285,6 +289,7 @@ void SectionPage::refresh()
         row->refresh();
     m_pointGroup->refresh();
     m_instanceGroup->refresh();
+    m_sheetGroup->refresh();
     m_placeGroup->refresh();
     m_figureGroup->refresh();
     m_markGroup->refresh();

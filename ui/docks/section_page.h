@@ -20,6 +20,7 @@ class PlaceGroup;
 class PointGroup;
 class PropertyGroup;
 class PropertyRow;
+class SheetGroup;
 class Workbench;
 
 class SectionPage : public QWidget
@@ -52,6 +53,7 @@ private:
 
     Workbench &m_bench;
     InstanceGroup *m_instanceGroup = nullptr;
+    SheetGroup *m_sheetGroup = nullptr;
     PlaceGroup *m_placeGroup = nullptr;
     MarkGroup *m_markGroup = nullptr;
     MagnetGroup *m_magnetGroup = nullptr;

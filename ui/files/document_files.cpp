@@ -11,6 +11,7 @@
 #include "ui/base/theme.h"
 #include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
+#include "ui/files/coupon_export.h"
 #include "ui/files/exporting.h"
 #include "ui/files/failures.h"
 #include "ui/files/format_filters.h"
@@ -130,6 +131,11 @@ bool DocumentFiles::exportCuttingFile()
 bool DocumentFiles::exportAgain()
 {
     return m_exporting->again(path());
+}
+
+bool DocumentFiles::exportCoupon()
+{
+    return CouponExport{m_bench, m_messages, m_status, m_window}.ask(suggestion());
 }
 
 bool DocumentFiles::canExportAgain() const

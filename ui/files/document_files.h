@@ -67,6 +67,8 @@ public:
     bool insertFile(const QString &path);
     bool saveFile(const QString &path);
     bool exportFile(const QString &path);
+    /// A test piece for the stocks of the model.
+    bool exportCoupon();
     /// A file for each sheet; asks only before it replaces some.
     bool exportSheets(const QString &path);
 

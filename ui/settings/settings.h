@@ -146,6 +146,7 @@ Q_SIGNALS:
     void drawingChanged();  // all of Drawing
     void checksChanged();   // all of Checks
     void autosaveChanged(); // interval, backup
+    void exportChanged();   // how sheets are cut, remembered from one export to the next
     void recentFilesChanged();
     void shortcutsChanged();
 

@@ -3,7 +3,6 @@
 #include "core/fabrication/cutting_order.h"
 #include "core/interaction/sheet_editing.h"
 #include "core/io/error_text.h"
-#include "core/io/machine_library.h"
 #include "core/session/scheduler.h"
 #include "core/session/sheet_nesting.h"
 #include "ui/base/rich_text.h"
@@ -102,6 +101,11 @@ SheetsDock::SheetsDock(Workbench &bench, QWidget *parent)
     connect(m_work, &CuttingWork::changed, this, &SheetsDock::refresh);
     connect(&bench.nesting(), &SheetNesting::progressed, this, &SheetsDock::refreshHead);
     connect(&settings(), &Settings::unitChanged, this, &SheetsDock::refresh);
+    connect(&settings(), &Settings::exportChanged, this, [this] {
+        m_work->setFinish(rememberedChoices().cuts());
+        m_timed = nullptr;
+        refresh();
+    });
     refresh();
 }
 
@@ -214,8 +218,7 @@ void SheetsDock::refreshHead()
     m_bar->setVisible(isSearching);
     m_stop->setVisible(isSearching);
     m_bar->setValue(static_cast<int>(std::lround(kThousand * filled)));
-    //: %1 is a number: how much of the sheets is filled
-    m_bar->setFormat(tr("Nesting… %1 %").arg(locale().toString(100.0 * filled, 'f', 1)));
+    m_bar->setFormat(tr("Nesting…"));
     if (isSearching)
         m_state->setText(tr("keeps the best so far"));
     else if (m_wasOlder && m_view->content().note.isEmpty() && !m_view->hand())
@@ -276,22 +279,21 @@ void SheetsDock::splitTooLarge()
 /// By the machine that Export writes for.
 std::optional<double> SheetsDock::seconds()
 {
-    const QString key = rememberedChoices().machine;
+    const ExportChoices choices = rememberedChoices();
     const void *made = m_work->made().get();
-    if (made == m_timed && key == m_timedBy)
+    if (made == m_timed && choices.machine == m_timedBy)
         return m_seconds;
     m_timed = made;
-    m_timedBy = key;
+    m_timedBy = choices.machine;
     m_seconds.reset();
-    const auto library = io::machineLibrary();
-    const auto machine = std::find_if(library.begin(), library.end(), [&](const auto &one) {
-        return QString::fromStdString(one->key) == key;
-    });
-    if (machine == library.end())
+    const std::shared_ptr<const Machine> machine = choices.chosenMachine();
+    if (!machine)
         return m_seconds;
     ToolWay way;
-    for (const CuttingSheet &sheet : m_work->cutting()->drawing.sheets)
-        way += wayAlong(inCuttingOrder(sheet), **machine);
+    for (CuttingSheet sheet : m_work->cutting()->drawing.sheets) {
+        sheet.finish = choices.cuts();
+        way += wayAlong(inCuttingOrder(sheet), *machine);
+    }
     m_seconds = way.seconds;
     return m_seconds;
 }
@@ -323,12 +325,12 @@ void SheetsDock::refreshFoot()
     const Nested &nested = *m_work->made()->nested;
     const auto bold = [](const QString &text) { return QStringLiteral("<b>%1</b>").arg(text); };
     const int sheets = cutting->sheetCount() - static_cast<int>(nested.layout->oversized.size());
-    //: %1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine
+    //: %1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine
     //: cuts
-    QStringList facts{tr("%1 on %2 \u00B7 %3 % filled \u00B7 %4 of cutting")
+    QStringList facts{tr("%1 on %2 \u00B7 %3 % used \u00B7 %4 of cutting")
                           .arg(bold(partCountText(cutting->partCount)),
                                bold(sheetCountText(sheets)),
-                               locale().toString(100.0 * nested.filled, 'f', 1),
+                               locale().toString(100.0 * cutting->usedShare, 'f', 1),
                                cutLengthText(nested.cutLength, locale()))};
     if (const std::optional<double> time = seconds())
         //: how long a machine cuts
@@ -362,7 +364,9 @@ void SheetsDock::followView()
 void SheetsDock::showEvent(QShowEvent *event)
 {
     QDockWidget::showEvent(event);
-    m_bench.nesting().setOptions(rememberedChoices().nesting());
+    const ExportChoices choices = rememberedChoices();
+    m_bench.nesting().setOptions(choices.nesting());
+    m_work->setFinish(choices.cuts());
     m_work->setWanted(true);
     m_view->setSelected(m_bench.interaction().selection());
     refresh();

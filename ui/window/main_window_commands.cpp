@@ -88,6 +88,10 @@ constexpr CommandWords kWords[] = {
      "A", "steps", FFF_TEXT("Command", "Show step by step how the model is put together"), true},
     {"fabricate.stocks", FFF_TEXT("Command", "Stoc&ks…"), FFF_TEXT("Command", "Stocks"), "",
      "stocks", FFF_TEXT("Command", "Sheet materials: thickness, strength, kerf and sheet size")},
+    {"fabricate.coupon", FFF_TEXT("Command", "&Fit coupon…"), FFF_TEXT("Command", "Fit coupon"), "",
+     "stocks",
+     FFF_TEXT("Command", "Write a test piece that tells which slits fit and how wide the machine "
+                         "cuts")},
     {"fabricate.sheets", FFF_TEXT("Command", "S&heets"), FFF_TEXT("Command", "Sheets"), "",
      "stocks", FFF_TEXT("Command", "Show the parts on their sheets, as they will be cut"), true},
     {"edit.find", FFF_TEXT("Command", "&Find a command…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
@@ -196,6 +200,7 @@ void MainWindow::addCommands()
     addSwitch("section.ground", DrawingSwitch::Ground);
     addSwitch("section.snap", DrawingSwitch::Snap);
     add("fabricate.stocks", [this] { showStocks({}); });
+    add("fabricate.coupon", [this] { m_files->exportCoupon(); });
     add(
         "fabricate.sheets",
         [this] {

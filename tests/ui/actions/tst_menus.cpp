@@ -165,6 +165,7 @@ void TestMenus::whatPeopleTypeIsFound_data()
     row("stl", "template.addMesh");
     row("material", "fabricate.stocks");
     row("nesting", "fabricate.sheets");
+    row("test piece", "fabricate.coupon");
     row("instructions", "check.showAssembly");
     row("fem", "check.stress");
     row("tutorial", "help.firstSteps");

@@ -7,6 +7,8 @@
 #include "tests/test_program.h"
 #include "tests/ui/dialogs/export_hand.h"
 #include "ui/base/translations.h"
+#include "ui/dialogs/export_choices.h"
+#include "ui/dialogs/sheet_view.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -27,6 +29,8 @@ private Q_SLOTS:
 
     void aUseThenAFile();
     void aFolderForTheWorkshop();
+    void bridgesAreSeenAndSwitchedOff();
+    void aCouponIsWritten();
 
 private:
     QString file(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -130,6 +134,55 @@ void TestExportFiles::aFolderForTheWorkshop()
     const auto packed = io::entryNames(written("chair.zip"), "chair.zip");
     QVERIFY(packed);
     QCOMPARE(std::find(packed->begin(), packed->end(), "steps.pdf") != packed->end(), hasSteps);
+}
+
+// Wrong: bridges that nobody sees before the file, or that stay when they are switched off.
+void TestExportFiles::bridgesAreSeenAndSwitchedOff()
+{
+    draw(squareDocument(120));
+    const auto followed = [](QDialog *dialog) {
+        return dialog->findChild<SheetView *>()->content().sheet->parts.front().followed;
+    };
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        QVERIFY(followed(dialog).isEmpty());
+        typeInto(dialog, "exportBridges", QStringLiteral("3"));
+        QTRY_VERIFY(followed(dialog).toSubpathPolygons().size() >= 3);
+        nameTheFile(file("bridges.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(rememberedChoices().cuts().tabs == 3);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        QTRY_VERIFY(followed(dialog).toSubpathPolygons().size() >= 3);
+        typeInto(dialog, "exportBridges", QStringLiteral("0"));
+        QTRY_VERIFY(followed(dialog).isEmpty());
+        nameTheFile(file("whole.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    const auto count = [](const std::string &svg) {
+        return QString::fromStdString(svg).count(QStringLiteral("stroke=\"#ff0000\""));
+    };
+    QVERIFY(count(written("bridges.svg")) > count(written("whole.svg")));
+    // Said, not left open: a machine with bridges of its own has none then.
+    QCOMPARE(rememberedChoices().cutting().finish, std::optional(CutFinish()));
+    // Another machine has its own.
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        chooseRow(dialog, "exportMachine", QStringLiteral("Atomstack"));
+        nameTheFile(file("other.svg"));
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    });
+    QVERIFY(!rememberedChoices().finish);
+}
+
+// Wrong: a test piece that only the command line knows.
+void TestExportFiles::aCouponIsWritten()
+{
+    draw(squareDocument());
+    nameTheFile(file("piece.dxf"));
+    actionOf(*m_window, "fabricate.coupon")->trigger();
+    QVERIFY(written("piece.dxf").find("AC1015") != std::string::npos);
+    nameTheFile(file("piece.svg"));
+    actionOf(*m_window, "fabricate.coupon")->trigger();
+    QVERIFY(written("piece.svg").find("Slits to try") != std::string::npos);
 }
 
 FFF_TEST_WITH(TestExportFiles, [](int argc, char *argv[]) {

@@ -22,6 +22,8 @@ class TestSheetPaths : public QObject
 private Q_SLOTS:
     void theyAreTheWriters_data();
     void theyAreTheWriters();
+    void bridgesAreWhereTheFileHasThem_data() { theyAreTheWriters_data(); }
+    void bridgesAreWhereTheFileHasThem();
     void numbersAreReadInside_data() { theyAreTheWriters_data(); }
     void numbersAreReadInside();
     void theBarIsWhereTheFileHasIt();
@@ -150,6 +152,34 @@ void TestSheetPaths::theyAreTheWriters()
 }
 
 // Wrong: a number that lies over the edge of its part, or over another part.
+// Wrong: a preview of closed outlines, and parts that stay in their sheet.
+void TestSheetPaths::bridgesAreWhereTheFileHasThem()
+{
+    QFETCH(QString, sample);
+    CuttingDrawing drawing = cuttingOf(sample).drawing;
+    CutFinish finish;
+    finish.tabs = 3;
+    finish.tabWidth = 0.5;
+    finish.lead = 1.0;
+    for (CuttingSheet &sheet : drawing.sheets)
+        sheet.finish = finish;
+    const std::vector<SheetPaths> sheets = sheetPaths(drawing);
+    const auto written = partsIn(*io::svgFormat().writeCutting(drawing, {}));
+    double bottom = 0.0;
+    int opened = 0;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        bottom += sheets[i].size.height() + (i > 0 ? 10.0 : 0.0);
+        for (std::size_t k = 0; k < sheets[i].parts.size(); ++k) {
+            const PartPaths &shown = sheets[i].parts[k];
+            const WrittenPart &part = written[static_cast<qsizetype>(i)][static_cast<qsizetype>(k)];
+            compare(cutLines(shown), part.byColour.value(QStringLiteral("#ff0000")), bottom);
+            opened += shown.followed.toSubpathPolygons().size() > // each gap makes one more
+                      shown.cuts.toSubpathPolygons().size();
+        }
+    }
+    QVERIFY2(opened > 0, "a sample whose parts have room for no bridge");
+}
+
 void TestSheetPaths::numbersAreReadInside()
 {
     QFETCH(QString, sample);

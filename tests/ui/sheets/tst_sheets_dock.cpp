@@ -161,7 +161,7 @@ void TestSheetsDock::partsLieThereAndTheFootSaysHowWell()
     QCOMPARE(view().content().sheets().size(), std::size_t(1));
     QCOMPARE(view().content().facts[0].parts.size(), std::size_t(13));
     const QRegularExpression foot(QStringLiteral(
-        "<b>13 parts</b> on <b>1 sheet</b> \u00B7 \\d+\\.\\d % filled \u00B7 \\d+\\.\\d m of "
+        "<b>13 parts</b> on <b>1 sheet</b> \u00B7 \\d+\\.\\d % used \u00B7 \\d+\\.\\d m of "
         "cutting"));
     QVERIFY2(foot.match(text("sheetsTotals")).hasMatch(), qPrintable(text("sheetsTotals")));
 }
