@@ -3251,8 +3251,6 @@
         <translation>Neuer Wert</translation>
     </message>
     <message>
-        <source>A number with a name, which number fields take</source>
-        <translation>Eine Zahl mit einem Namen, den Zahlenfelder annehmen</translation>
         <source>&amp;Fit coupon…</source>
         <translation>Pass&amp;probe …</translation>
     </message>
@@ -3263,6 +3261,10 @@
     <message>
         <source>Write a test piece that tells which slits fit and how wide the machine cuts</source>
         <translation>Ein Teststück schreiben, das zeigt, welche Schlitze passen und wie breit die Maschine schneidet</translation>
+    </message>
+    <message>
+        <source>A number with a name, which number fields take</source>
+        <translation>Eine Zahl mit Namen, die Zahlenfelder annehmen</translation>
     </message>
 </context>
 <context>
@@ -5771,6 +5773,18 @@
             <numerusform>%n, die daraus gemacht waren, sind jetzt bloße Zahlen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A sheet of %1 does not fold: choose a stock of %2 or less.</source>
+        <extracomment>A sheet. %1 and %2 are lengths</extracomment>
+        <translation>Eine Platte von %1 lässt sich nicht falten: Wähle ein Material von höchstens %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Fold along the scored lines, then join edges with the same number: %n seams.</source>
+        <translation>
+            <numerusform>Falte entlang der geritzten Linien und verbinde dann Kanten mit derselben Nummer: %n Naht.</numerusform>
+            <numerusform>Falte entlang der geritzten Linien und verbinde dann Kanten mit derselben Nummer: %n Nähte.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -7520,6 +7534,11 @@
         <extracomment>%1 is the name a value had, %2 the one that it has now</extracomment>
         <translation>%1 in %2 umbenennen</translation>
     </message>
+    <message>
+        <source>Unfold %1</source>
+        <extracomment>%1 is the name of a template</extracomment>
+        <translation>%1 abwickeln</translation>
+    </message>
 </context>
 <context>
     <name>Suggestion</name>
@@ -8145,10 +8164,6 @@
         <translation>Spannung mit finiten Elementen, farbig über die ganzen Scheiben; dauert Sekunden.</translation>
     </message>
     <message>
-        <source>There is no stock &quot;%1&quot;. Choose one from the file, Birch plywood or Acrylic.</source>
-        <translation>Das Material „%1“ gibt es nicht. Bekannt sind die der Datei, Birch plywood und Acrylic.</translation>
-    </message>
-    <message>
         <source>--thickness %1 leaves no room for slits in the stock %2: its clearance is %3 mm.</source>
         <translation>--thickness %1 lässt im Material %2 keinen Schlitz: Sein Spiel ist %3 mm.</translation>
     </message>
@@ -8658,6 +8673,30 @@
     <message>
         <source>%1: the folder cannot be made.</source>
         <translation>%1: der Ordner kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There is no stock &quot;%1&quot;. Choose one of the file, or of the list of materials, such as Birch plywood, Acrylic or Card.</source>
+        <translation>Es gibt kein Material „%1“. Wähle eines der Datei oder eines aus der Liste der Materialien, etwa Birch plywood, Acrylic oder Card.</translation>
+    </message>
+    <message>
+        <source>A sheet of %1 mm does not fold, expected at most %2 mm; --stock chooses another.</source>
+        <translation>Eine Platte von %1 mm lässt sich nicht falten, erwartet höchstens %2 mm; --stock wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>Nets: %1, folds: %2, seams: %3</source>
+        <translation>Netze: %1, Falze: %2, Nähte: %3</translation>
+    </message>
+    <message>
+        <source>Nets to fold along scored lines, of sheet up to 3 mm, instead of flat sheets.</source>
+        <translation>Netze zum Falten entlang geritzter Linien, aus Platten bis 3 mm, statt flacher Platten.</translation>
+    </message>
+    <message>
+        <source>With --unfold: width of the flaps to glue; 8 mm for sheet up to 1.5 mm, else 0 mm.</source>
+        <translation>Mit --unfold: Breite der Klebelaschen; 8 mm bei Platten bis 1,5 mm, sonst 0 mm.</translation>
+    </message>
+    <message>
+        <source>--flap is of --unfold.</source>
+        <translation>--flap gehört zu --unfold.</translation>
     </message>
 </context>
 <context>
@@ -10959,6 +10998,14 @@
     <message>
         <source>Builds it of flat sheets with fingers along their edges. The mesh is simplified to so many faces first; those that lie flat together are one sheet.</source>
         <translation>Baut es aus flachen Scheiben mit Fingerzinken an den Kanten. Das Netz wird erst auf so viele Flächen vereinfacht; die in einer Ebene werden eine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Unfold</source>
+        <translation>Abwickeln</translation>
+    </message>
+    <message>
+        <source>Lays it flat, to be cut of card in one piece or a few and folded along scored lines. Edges to join have the same number.</source>
+        <translation>Legt es flach aus, um es aus Karton in einem Stück oder wenigen zu schneiden und entlang geritzter Linien zu falten. Kanten, die zusammenkommen, haben dieselbe Nummer.</translation>
     </message>
 </context>
 <context>
@@ -13898,6 +13945,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n Scheibe gemacht.</numerusform>
             <numerusform>%n Scheiben gemacht.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Unfolding…</source>
+        <translation>Wird abgewickelt …</translation>
     </message>
 </context>
 <context>

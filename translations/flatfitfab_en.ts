@@ -313,6 +313,13 @@
             <numerusform>%n that were made of it are plain numbers now.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Fold along the scored lines, then join edges with the same number: %n seams.</source>
+        <translation>
+            <numerusform>Fold along the scored lines, then join edges with the same number: %n seam.</numerusform>
+            <numerusform>Fold along the scored lines, then join edges with the same number: %n seams.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Mesh</name>
