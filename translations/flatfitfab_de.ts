@@ -3235,22 +3235,6 @@
         <translation>Sieh nach, welche Tasten was tun, und wähle eigene</translation>
     </message>
     <message>
-        <source>Go to the values</source>
-        <translation>Zu den Werten</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>Werte</translation>
-    </message>
-    <message>
-        <source>Adjust the values that numbers of the model are made of</source>
-        <translation>Die Werte einstellen, aus denen Zahlen des Modells entstehen</translation>
-    </message>
-    <message>
-        <source>New value</source>
-        <translation>Neuer Wert</translation>
-    </message>
-    <message>
         <source>&amp;Fit coupon…</source>
         <translation>Pass&amp;probe …</translation>
     </message>
@@ -3261,10 +3245,6 @@
     <message>
         <source>Write a test piece that tells which slits fit and how wide the machine cuts</source>
         <translation>Ein Teststück schreiben, das zeigt, welche Schlitze passen und wie breit die Maschine schneidet</translation>
-    </message>
-    <message>
-        <source>A number with a name, which number fields take</source>
-        <translation>Eine Zahl mit Namen, die Zahlenfelder annehmen</translation>
     </message>
 </context>
 <context>
@@ -7076,13 +7056,13 @@
     </message>
     <message>
         <source>Delete %1</source>
-        <extracomment>%1 is the name of a section
+        <extracomment>%1 is the name of a value
+----------
+%1 is the name of a section
 ----------
 %1 is the name of a number
 ----------
-%1 is the name of an operation
-----------
-%1 is the name of a value</extracomment>
+%1 is the name of an operation</extracomment>
         <translation>%1 löschen</translation>
     </message>
     <message numerus="yes">
@@ -7109,9 +7089,9 @@
     </message>
     <message>
         <source>Add %1</source>
-        <extracomment>%1 is the name of an operation
+        <extracomment>%1 is the name of a value
 ----------
-%1 is the name of a value</extracomment>
+%1 is the name of an operation</extracomment>
         <translation>%1 hinzufügen</translation>
     </message>
     <message>
@@ -7165,9 +7145,9 @@
     </message>
     <message>
         <source>Set %1</source>
-        <extracomment>%1 is the name of a number
+        <extracomment>%1 is the name of a value
 ----------
-%1 is the name of a value</extracomment>
+%1 is the name of a number</extracomment>
         <translation>%1 festlegen</translation>
     </message>
     <message>
@@ -12744,8 +12724,8 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Gedreht um</translation>
     </message>
     <message>
-        <source>stays when the rest is nested</source>
-        <translation>bleibt, wenn der Rest neu gelegt wird</translation>
+        <source>keeps its place</source>
+        <translation>behält seinen Platz</translation>
     </message>
     <message>
         <source>Pinned</source>

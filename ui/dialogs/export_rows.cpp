@@ -102,7 +102,8 @@ PropertyRow *ExportRows::makeMachine(PropertyGroup *group)
         [this](int choice) {
             m_choices.machine =
                 QString::fromStdString(io::machineLibrary()[static_cast<std::size_t>(choice)]->key);
-            m_choices.finish.reset(); // the next one has its own
+            if (const auto next = m_choices.chosenMachine(); next && !next->finish.isPlain())
+                m_choices.finish.reset(); // it has its own
             refresh();
             Q_EMIT layoutChanged();
         },

@@ -85,7 +85,7 @@ SheetGroup::SheetGroup(Workbench &bench, QWidget *parent)
     addText(tr("Sheet"), "sectionSheet", m_sheet);
     addText(tr("Position X, Y"), "sectionSheetPlace", m_position);
     addText(tr("Turned by"), "sectionSheetTurn", m_turn);
-    m_pinned = new QCheckBox(tr("stays when the rest is nested"), this);
+    m_pinned = new QCheckBox(tr("keeps its place"), this);
     auto *row = new EditorRow(
         tr("Pinned"), "sectionPinned", m_pinned,
         [this] {

@@ -28,7 +28,7 @@ _flatfitfab_cli()
     cut) flags='--plane --size --json -h --help' ;;
     suggest) flags='-o --output --size --count --seed --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     slices) flags='-o --output --size --along --count --spacing --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
-    facets) flags='-o --output --size --faces --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
+    facets) flags='-o --output --size --faces --unfold --flap --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     nest) flags='--json --seconds --seed --rotations --margin --spacing --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     replay) flags='--from --template -o --output --format --no-reference --margin --spacing --no-turning --nest --sheets --machine --skin --tabs --lead --common-lines --coupon --dxf --paper --parts --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     esac

@@ -177,6 +177,8 @@ complete -c flatfitfab-cli -n __fish_use_subcommand -f -a facets -d 'A model of 
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -s o -l output -r -d 'The .fff file to write; - is standard output.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l size -r -d 'Scales the mesh to this largest extent; without it as large as its file says, else 254.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l faces -r -d 'Simplifies the mesh to this many triangles first; those that are flat together are one piece.'
+complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l unfold -d 'Nets to fold along scored lines, of sheet up to 3 mm, instead of flat sheets.'
+complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l flap -r -d 'With --unfold: width of the flaps to glue; 8 mm for sheet up to 1.5 mm, else 0 mm.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l set -r -d 'Gives a named value of the model another number; may be repeated.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l thickness -r -d 'Thickness of every stock.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from facets' -l stock -r -d 'Cuts every section from this stock, or from that of a .fff file.'

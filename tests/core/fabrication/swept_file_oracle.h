@@ -55,7 +55,7 @@ private:
     static constexpr double kArc = 0.0004;   // mm, of round offsets
     static constexpr double kReach = 0.0015; // mm of room that a tool needs around it to get in
     static constexpr double kEdge = 0.0005;  // mm, half the width of what stands for an edge
-    static constexpr double kSliver = 1e-5;  // mm², of what rounding leaves
+    static constexpr double kSliver = 1e-4;  // mm², of what rounding leaves: 0.01 mm square
 
     static ClipperLib::IntPoint whole(const Vec2 &p)
     {
