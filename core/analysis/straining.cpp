@@ -1,5 +1,6 @@
 #include "core/analysis/straining.h"
 
+#include "core/base/tolerances.h"
 #include "core/physics/sample_stresses.h"
 
 #include <algorithm>
@@ -116,6 +117,15 @@ bool isPushedSideways(const Structure &structure)
         const Vec3 sideways = load.force - load.force.dot(structure.up) * structure.up;
         return sideways.norm() > kSideways * load.force.norm();
     });
+}
+
+/// With all of its face on the ground and nothing else at it: the ground bears each bit of it where
+/// that is, not only at the corners that are looked at as feet.
+bool liesFlat(const Frame &frame, const std::vector<AppliedForce> &forces)
+{
+    return frame.normal().cross(Vec3::UnitY()).norm() <= kSameDirection && !forces.empty() &&
+           std::all_of(forces.begin(), forces.end(),
+                       [](const AppliedForce &force) { return force.kind == ForceKind::Foot; });
 }
 
 /// Cut alike wherever they are.
@@ -362,6 +372,8 @@ void Straining::strain(int index, const std::vector<const std::vector<AppliedFor
                        Detail detail, Rooms &rooms, BodyStrength &body) const
 {
     body.isWorkedOut = true;
+    if (liesFlat(m_analysis.bodies.at(index).frame(), *cases.front()))
+        return;
     const std::shared_ptr<const SectionCuts> kept = cutsOf(index);
     const SectionCuts &cuts = *kept;
     const SheetMaterial sheet = sheetOf(index);

@@ -119,20 +119,12 @@ void SampleStresses::refine(int count)
     }
 }
 
-/// With all of it on the ground: whatever cuts it goes through a foot that is wider.
-bool SampleStresses::liesFlat() const
-{
-    return m_result.worstNeck < 0 && !m_result.necks.empty() && !m_forces.empty() &&
-           std::all_of(m_forces.begin(), m_forces.end(),
-                       [](const AppliedForce &force) { return force.kind == ForceKind::Foot; });
-}
-
 const SectionStress &SampleStresses::result()
 {
     if (!m_isFound) {
         m_result.worstNeck = worst(&NeckStress::neckUse, m_result.necks.size(), false);
         m_result.worstCorner = worst(&NeckStress::cornerUse, m_result.necks.size(), false);
-        m_result.isWorkedOut = m_isUsable && (m_result.worstNeck >= 0 || liesFlat());
+        m_result.isWorkedOut = m_isUsable && m_result.worstNeck >= 0;
     }
     m_isFound = true;
     return m_result;

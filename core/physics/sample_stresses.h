@@ -39,7 +39,6 @@ private:
         return neck < 0 ? 0.0 : m_result.necks[static_cast<std::size_t>(neck)].*use;
     }
     bool counts(std::size_t neck);
-    bool liesFlat() const;
     int worst(double NeckStress::*use, std::size_t count, bool isOfGrid);
 
     const SectionCuts &m_cuts;

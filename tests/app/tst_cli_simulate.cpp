@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
+#include "core/model/edits.h"
 #include "tests/app/cli_run.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
@@ -119,6 +120,27 @@ void TestCliSimulate::platesThatLieFlat()
         const Run told = run({u"simulate"_s, file});
         QVERIFY2(told.out.contains("Stands.\nHolds."), told.out.constData());
     }
+    // Of thin card, with a neck between two lobes that nothing lifts.
+    Document card = newDocument();
+    Stock thin = *card.stocks.front();
+    thin.thickness = 0.3;
+    card = setStock(std::move(card), thin).value();
+    const ShapePointer lobes = polygonShape({{-200, -100},
+                                             {-100, -100},
+                                             {-100, -2},
+                                             {100, -2},
+                                             {100, -100},
+                                             {200, -100},
+                                             {200, 100},
+                                             {100, 100},
+                                             {100, 2},
+                                             {-100, 2},
+                                             {-100, 100},
+                                             {-200, 100}});
+    const Frame lying{{0, 0.15, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+    QVERIFY(io::writeDocument(file, withSection(std::move(card), lobes, lying)));
+    const Run told = run({u"simulate"_s, file});
+    QVERIFY2(told.out.contains("Stands.\nHolds."), told.out.constData());
 }
 
 // Wrong: "from 5.1 kg in all" of what nobody weighs.
