@@ -4,10 +4,9 @@
 #include "core/analysis/findings/moving_slits.h"
 #include "core/analysis/findings/touching_pairs.h"
 
-#include "core/base/groups.h"
 #include "core/base/tolerances.h"
 
-#include <algorithm>
+#include <set>
 
 namespace fff {
 
@@ -20,19 +19,30 @@ bool isOneAxis(const Axis &a, const Axis &b)
            a.direction.cross(between).norm() <= kTouchingDepth;
 }
 
+/// The sections that the section and its joints along the axis hold together. O(their slits).
+std::set<int> heldAlong(const Axis &axis, int section, const Analysis &analysis)
+{
+    std::set<int> held{section};
+    for (std::vector<int> open{section}; !open.empty();) {
+        const int at = open.back();
+        open.pop_back();
+        for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(at)]) {
+            const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(slit.joint - 1)];
+            if (joint.crossing && !held.contains(slit.guest) &&
+                isOneAxis(axis, joint.crossing->axis) && !analysis.grips.of(joint).held.empty()) {
+                held.insert(slit.guest);
+                open.push_back(slit.guest);
+            }
+        }
+    }
+    return held;
+}
+
 /// Of sections that all cross in one axis most pairs hold nothing, and need not: each is held by
 /// the one whose stretch of the axis is beside its own.
 bool areHeldByOthers(const Joint &joint, const Analysis &analysis)
 {
-    const auto groupOf = [](int section) { return static_cast<std::size_t>(section); };
-    if (!joint.crossing)
-        return false;
-    Groups held(analysis.model.sectionCount());
-    for (const Joint &other : analysis.assembly.joints)
-        if (&other != &joint && other.crossing && !analysis.grips.of(other).held.empty() &&
-            isOneAxis(joint.crossing->axis, other.crossing->axis))
-            held.join(groupOf(other.a), groupOf(other.b));
-    return held.firstOf(groupOf(joint.a)) == held.firstOf(groupOf(joint.b));
+    return joint.crossing && heldAlong(joint.crossing->axis, joint.a, analysis).contains(joint.b);
 }
 
 Message looseJointSentence(const Finding &finding, const Model &model)
