@@ -2,9 +2,12 @@
 
 #include "core/model/placed_loads.h"
 
+#include "core/assembly/settling.h"
+#include "core/base/tolerances.h"
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -12,12 +15,26 @@ namespace {
 
 using Group = std::vector<int>;
 
+/// What carries is what is lowest: where a slab's face reaches below the ground it stands on that,
+/// and what hangs no higher than it may be sunk comes down.
 GroundContact contactOf(const Bodies &bodies, const Group &group)
 {
     std::vector<const GroundContact *> contacts;
     for (const int body : group)
         contacts.push_back(&bodies.at(body).contact());
     GroundContact contact = together(contacts);
+    const bool isSunk = contact.stretches > 0 && contact.lowest < -kGroundContact;
+    if (isSunk || (contact.lowest > kGroundContact && contact.lowest <= kGroundSunk)) {
+        contact.stretches = 0;
+        contact.corners.clear();
+        for (const int body : group) {
+            if (bodies.at(body).contact().lowest > contact.lowest + kGroundContact)
+                continue;
+            const GroundContact low = contactOf(bodies.at(body).slab(), contact.lowest);
+            contact.stretches += low.stretches;
+            contact.corners.insert(contact.corners.end(), low.corners.begin(), low.corners.end());
+        }
+    }
     contact.corners = convexHull(contact.corners);
     return contact;
 }
@@ -35,6 +52,48 @@ const GroundContact &refreshedContact(const Bodies &bodies, const Group &group,
     return stance.contact;
 }
 
+/// Of what is low enough to touch the ground when the group leans as far as it may.
+std::vector<Vec3> lowPoints(const Bodies &bodies, const Group &group, double lowest, double size)
+{
+    const double reach = lowest + kGroundContact + size * std::tan(kFarthestLean);
+    std::vector<Vec3> points;
+    for (const int index : group) {
+        const Body &body = bodies.at(index);
+        if (body.box().min.y() > reach)
+            continue;
+        const Vec3 half = 0.5 * body.thickness() * body.frame().normal();
+        for (const Vec2 &corner : convexHull(body.outline().region.outer)) {
+            const Vec3 middle = body.frame().toWorld(corner);
+            for (const Vec3 &point : {Vec3(middle - half), Vec3(middle + half)})
+                if (point.y() <= reach)
+                    points.push_back(point);
+        }
+    }
+    return points;
+}
+
+/// As it stands on these points, seen along its ground.
+Stability onRest(const Rest &rest, const GroundContact &drawn, const Vec3 &centre, double thinnest,
+                 double size)
+{
+    const Vec3 x = rest.ground.acrossX(), z = rest.ground.acrossZ();
+    GroundContact contact = drawn;
+    contact.corners.clear();
+    for (const Vec3 &p : rest.contacts)
+        contact.corners.emplace_back(centre.x() + x.dot(p - centre),
+                                     centre.z() + z.dot(p - centre));
+    Stability found =
+        stability(contact, {centre.x(), rest.ground.above(centre), centre.z()}, thinnest, size);
+    found.ground = rest.ground;
+    found.lean = rest.lean;
+    return found;
+}
+
+bool isSteady(const Stability &stability)
+{
+    return stability.standing == Standing::Stands && stability.tipAngle >= kSteadyTilt;
+}
+
 Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProperties &mass,
                       const GroundContact &contact)
 {
@@ -46,7 +105,20 @@ Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProper
     }
     if (box.isEmpty())
         return {};
-    return stability(contact, mass.centre, thinnest, box.size().maxCoeff());
+    const double size = box.size().maxCoeff();
+    const bool isDrawnThere = std::abs(contact.lowest) <= kGroundContact;
+    const Ground level{Vec3::UnitY(), isDrawnThere ? 0.0 : contact.lowest};
+    Stability asDrawn =
+        stability(contact, mass.centre - level.height * Vec3::UnitY(), thinnest, size);
+    asDrawn.ground = level;
+    if (contact.stretches == 0 || isSteady(asDrawn))
+        return asDrawn;
+    const auto rest = settle(lowPoints(bodies, group, contact.lowest, size), mass.centre);
+    if (!rest)
+        return asDrawn;
+    const Stability found = onRest(*rest, contact, mass.centre, thinnest, size);
+    return asDrawn.standing != Standing::Stands || found.tipAngle > asDrawn.tipAngle ? found
+                                                                                     : asDrawn;
 }
 
 } // namespace

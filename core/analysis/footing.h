@@ -8,6 +8,14 @@
 
 namespace fff {
 
+/// Tilted by less than this, something that stands ought not to fall: 10°, as for household
+/// equipment (IEC 62368-1, stability). Radians.
+inline constexpr double kSteadyTilt = 0.17453292519943295;
+
+/// Tilted by less than this it falls by itself: tables lean, joints give, and an edge that was cut
+/// is not straight. 2°, radians.
+inline constexpr double kLeastTilt = 0.03490658503988659;
+
 /// The body of a section that something at this point, in frame coordinates, is on, or nearest to;
 /// of a section that has bodies.
 int bodyAt(const Bodies &bodies, int section, const Vec2 &point);
@@ -17,7 +25,8 @@ int bodyAt(const Bodies &bodies, int section, const Vec2 &point);
 MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &group);
 
 /// Whether and how a group of bodies stands, taken as one rigid body with the weights that hang on
-/// it.
+/// it. It stands on what is lowest of it; where that does not hold it up, on what it comes to lean
+/// on (settling.h).
 Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group);
 /// The same, of their mass as above, with what is known of their contact with the ground: that is
 /// worked out anew only where the contact of one of them changed.

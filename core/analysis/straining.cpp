@@ -121,9 +121,9 @@ bool isPushedSideways(const Structure &structure)
 
 /// With all of its face on the ground and nothing else at it: the ground bears each bit of it where
 /// that is, not only at the corners that are looked at as feet.
-bool liesFlat(const Frame &frame, const std::vector<AppliedForce> &forces)
+bool liesFlat(const Frame &frame, const Vec3 &up, const std::vector<AppliedForce> &forces)
 {
-    return frame.normal().cross(Vec3::UnitY()).norm() <= kSameDirection && !forces.empty() &&
+    return frame.normal().cross(up).norm() <= kSameDirection && !forces.empty() &&
            std::all_of(forces.begin(), forces.end(),
                        [](const AppliedForce &force) { return force.kind == ForceKind::Foot; });
 }
@@ -282,7 +282,7 @@ void Straining::strain(double scale, std::span<const int> bodies, Detail detail,
         if (!cases.empty() || detail == Detail::WithLines)
             lookForNecks(index, body);
         if (!cases.empty())
-            strain(index, cases, detail, rooms, body);
+            strain(index, cases, loaded, detail, rooms, body);
         body.strength = strengthOf(stockOf(index), m_rules);
         body.isWorkedOut = hasForces.front()[i] && (cases.empty() || body.isWorkedOut);
     }
@@ -343,11 +343,11 @@ const CutShares &Straining::sharesOf(int body, const std::shared_ptr<const Secti
     return kept->shares;
 }
 
-SheetMaterial Straining::sheetOf(int body) const
+SheetMaterial Straining::sheetOf(int body, const Structure &structure) const
 {
     const Stock &stock = stockOf(body);
     const Frame &frame = m_analysis.bodies.at(body).frame();
-    const Vec3 weight = stock.density / kCubicMetre * stock.thickness * Structure().gravity;
+    const Vec3 weight = stock.density / kCubicMetre * stock.thickness * structure.gravity;
     SheetMaterial sheet;
     sheet.thickness = stock.thickness;
     sheet.arealWeight = inFrame(frame, weight);
@@ -369,14 +369,15 @@ void Straining::lookForNecks(int index, BodyStrength &body) const
 
 /// Of the cases, which act in the same places, those are looked at closely that may be worst.
 void Straining::strain(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
-                       Detail detail, Rooms &rooms, BodyStrength &body) const
+                       const Structure &structure, Detail detail, Rooms &rooms,
+                       BodyStrength &body) const
 {
     body.isWorkedOut = true;
-    if (liesFlat(m_analysis.bodies.at(index).frame(), *cases.front()))
+    if (liesFlat(m_analysis.bodies.at(index).frame(), structure.up, *cases.front()))
         return;
     const std::shared_ptr<const SectionCuts> kept = cutsOf(index);
     const SectionCuts &cuts = *kept;
-    const SheetMaterial sheet = sheetOf(index);
+    const SheetMaterial sheet = sheetOf(index, structure);
     const CutShares &shares = sharesOf(index, kept, *cases.front(), sheet.thickness);
     std::deque<SampleStresses> stresses; // by cases
     double worstNeck = 0.0, worstCorner = 0.0;

@@ -38,13 +38,13 @@ private:
     std::shared_ptr<const SectionCuts> cutsOf(int body) const;
     const CutShares &sharesOf(int body, const std::shared_ptr<const SectionCuts> &cuts,
                               const std::vector<AppliedForce> &forces, double thickness) const;
-    SheetMaterial sheetOf(int body) const;
+    SheetMaterial sheetOf(int body, const Structure &structure) const;
     enum class Detail { Grid, Refined, WithLines };
     /// Lists of necks that are used again, one for each case: a body more costs no memory.
     using Rooms = std::vector<std::vector<NeckStress>>;
     void lookForNecks(int index, BodyStrength &body) const;
     void strain(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
-                Detail detail, Rooms &rooms, BodyStrength &body) const;
+                const Structure &structure, Detail detail, Rooms &rooms, BodyStrength &body) const;
     void strain(double scale, std::span<const int> bodies, Detail detail, Strength &strength) const;
 
     const Analysis &m_analysis;

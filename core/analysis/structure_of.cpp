@@ -200,22 +200,33 @@ void addLink(const Analysis &analysis, const Joint &joint, int index, ModelStruc
     made.links.push_back(place);
 }
 
+/// mm above the ground, of the corners of a box.
+double lowestOf(const Box3 &box, const Ground &ground)
+{
+    const Vec3 centre = 0.5 * (box.min + box.max), half = 0.5 * (box.max - box.min);
+    return ground.above(centre) - ground.up.cwiseAbs().dot(half);
+}
+
+/// Of each group that stands by itself. The only one leans as it will on the table.
 void addFeet(const Analysis &analysis, Structure &structure)
 {
     const Bodies &bodies = analysis.bodies;
-    for (const std::vector<int> &group :
-         heldGroups(bodies, analysis.assembly.joints, analysis.grips)) {
-        std::vector<const GroundContact *> contacts;
-        for (const int body : group)
-            contacts.push_back(&bodies.at(body).contact());
-        if (together(contacts).stretches == 0)
+    const auto groups = heldGroups(bodies, analysis.assembly.joints, analysis.grips);
+    for (const std::vector<int> &group : groups) {
+        const Stability stands = stabilityOf(analysis, group);
+        if (stands.contacts == 0)
             continue;
+        const Ground &ground = stands.ground;
+        if (groups.size() == 1 && stands.lean > 0.0) {
+            structure.gravity = -structure.gravity.norm() * ground.up;
+            structure.up = ground.up;
+        }
         for (const int body : group) {
-            if (bodies.at(body).contact().stretches == 0)
+            if (lowestOf(bodies.at(body).box(), ground) > kGroundContact)
                 continue;
             const Stock &stock =
                 analysis.model.stockOf(static_cast<std::size_t>(bodies.sectionOf(body)));
-            for (const Vec3 &point : feetOf(bodies.at(body).slab()))
+            for (const Vec3 &point : feetOf(bodies.at(body).slab(), ground))
                 structure.feet.push_back({body, point, modulusOf(stock) * stock.thickness, false});
         }
     }

@@ -39,6 +39,7 @@ target_sources(fff_core PRIVATE
     assembly/slit_form.cpp
     assembly/slits.cpp
     assembly/solid.cpp
+    assembly/settling.cpp
     assembly/stability.cpp
     assembly/step_groups.cpp
     assembly/tabs.cpp

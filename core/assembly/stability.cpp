@@ -21,9 +21,10 @@ Vec2 onGround(const Vec3 &p)
 }
 
 /// Where the edge from a to b, one of them low, passes the height below which things touch.
-Vec3 passing(const Vec3 &a, const Vec3 &b)
+Vec3 passing(const Vec3 &a, const Vec3 &b, const Ground &ground)
 {
-    return a + std::clamp((kGroundContact - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b - a);
+    const double from = ground.above(a), to = ground.above(b);
+    return a + std::clamp((kGroundContact - from) / (to - from), 0.0, 1.0) * (b - a);
 }
 
 /// Points whose convex hull is that of all of them, to kClipGrid; few of them.
@@ -72,14 +73,15 @@ std::vector<Vec2> outermost(const std::vector<Vec2> &points)
 class Face
 {
 public:
-    Face(const Slab &slab, double offset)
-        : m_ring(slab.region.outer), m_frame(slab.frame), m_shift(offset * slab.frame.normal())
+    Face(const Slab &slab, double offset, const Ground &ground)
+        : m_ring(slab.region.outer), m_frame(slab.frame), m_shift(offset * slab.frame.normal()),
+          m_ground(ground)
     {
         m_isLow.reserve(m_ring.size());
-        const double base = m_frame.origin.y() + m_shift.y();
+        const double base = ground.above(m_frame.origin + m_shift);
+        const Vec2 up(ground.up.dot(m_frame.x), ground.up.dot(m_frame.y));
         for (const Vec2 &p : m_ring)
-            m_isLow.push_back(base + p.x() * m_frame.x.y() + p.y() * m_frame.y.y() <=
-                              kGroundContact);
+            m_isLow.push_back(base + up.dot(p) <= kGroundContact);
     }
     std::size_t count() const { return m_ring.size(); }
     bool isLow(std::size_t i) const { return m_isLow[i]; }
@@ -90,23 +92,20 @@ public:
         if (isLow(a))
             corners.push_back(onGround(at(a)));
         if (isLow(a) != isLow(b))
-            corners.push_back(onGround(passing(at(a), at(b))));
+            corners.push_back(onGround(passing(at(a), at(b), m_ground)));
     }
     /// Where stretches begin and end that are low; of a ring that is low all round those of its
     /// hull.
-    void addEnds(std::vector<Vec2> &ends) const
+    void addEnds(std::vector<Vec3> &ends) const
     {
         if (lowStretches() > 0 && std::find(m_isLow.begin(), m_isLow.end(), 0) == m_isLow.end()) {
-            std::vector<Vec2> all;
-            for (std::size_t i = 0; i < count(); ++i)
-                all.push_back(onGround(at(i)));
-            const Polygon hull = convexHull(all);
-            ends.insert(ends.end(), hull.begin(), hull.end());
+            for (const Vec2 &corner : convexHull(m_ring))
+                ends.push_back(m_frame.toWorld(corner) + m_shift);
             return;
         }
         for (std::size_t i = 0, j = count() - 1; i < count(); j = i++)
             if (isLow(i) != isLow(j))
-                ends.push_back(onGround(passing(at(i), at(j))));
+                ends.push_back(passing(at(i), at(j), m_ground));
     }
     /// Stretches that are low; the whole ring is one.
     int lowStretches() const
@@ -121,21 +120,23 @@ private:
     const Polygon &m_ring;
     const Frame &m_frame;
     Vec3 m_shift;
+    const Ground &m_ground;
     std::vector<char> m_isLow;
 };
 
-void addContact(const Slab &slab, GroundContact &contact)
+void addContact(const Slab &slab, const Ground &ground, GroundContact &contact)
 {
     const double half = 0.5 * slab.thickness;
     // The face that is lower; of an upright slab both are alike.
     const bool isUpper = slab.frame.normal().y() > 0.0;
-    const Face low(slab, isUpper ? -half : half), high(slab, isUpper ? half : -half);
+    const Face low(slab, isUpper ? -half : half, ground),
+        high(slab, isUpper ? half : -half, ground);
     contact.stretches += low.lowStretches();
     for (std::size_t i = 0, j = low.count() - 1; i < low.count(); j = i++) {
         low.addLow(j, i, contact.corners);
         high.addLow(j, i, contact.corners);
         if (low.isLow(i) && !high.isLow(i))
-            contact.corners.push_back(onGround(passing(low.at(i), high.at(i))));
+            contact.corners.push_back(onGround(passing(low.at(i), high.at(i), ground)));
     }
 }
 
@@ -178,26 +179,25 @@ Vec2 fallDirection(const Polygon &support, const Vec2 &centre, const Vec2 &neare
 
 } // namespace
 
-GroundContact contactOf(const Slab &slab)
+GroundContact contactOf(const Slab &slab, double level)
 {
     GroundContact contact;
     measureHeights(slab, contact);
-    if (contact.lowest <= kGroundContact) {
-        addContact(slab, contact);
+    if (contact.lowest <= level + kGroundContact) {
+        addContact(slab, {Vec3::UnitY(), level}, contact);
         contact.corners = outermost(contact.corners);
     }
     return contact;
 }
 
-std::vector<Vec3> feetOf(const Slab &slab)
+std::vector<Vec3> feetOf(const Slab &slab, const Ground &ground)
 {
     const double half = 0.5 * slab.thickness;
-    std::vector<Vec2> ends;
-    for (const double offset : {-half, half})
-        Face(slab, offset).addEnds(ends);
     std::vector<Vec3> feet;
-    for (const Vec2 &end : ends)
-        feet.push_back({end.x(), 0.0, end.y()});
+    for (const double offset : {-half, half})
+        Face(slab, offset, ground).addEnds(feet);
+    for (Vec3 &foot : feet)
+        foot -= ground.above(foot) * ground.up;
     return feet;
 }
 

@@ -2,6 +2,7 @@
 // the ground, and where its centre of mass lies over that.
 #pragma once
 
+#include "core/assembly/settling.h"
 #include "core/assembly/slab.h"
 
 #include <span>
@@ -23,11 +24,12 @@ struct GroundContact
 
 /// Of one slab: what is low of it, whether or not something else hangs lower. Of its corners those
 /// of their hull.
-GroundContact contactOf(const Slab &slab);
+/// level  Y of the ground
+GroundContact contactOf(const Slab &slab, double level = 0.0);
 /// Points at which one slab stands on the ground: of each of its two faces that is there the ends
 /// of each stretch of outline; of a face that is there with all of it those of its hull. World, mm,
-/// at Y = 0.
-std::vector<Vec3> feetOf(const Slab &slab);
+/// on that ground.
+std::vector<Vec3> feetOf(const Slab &slab, const Ground &ground = {});
 /// What of several slabs counts when they are one body.
 GroundContact together(std::span<const GroundContact *const> contacts);
 
@@ -69,6 +71,8 @@ struct Stability
     double height = 0.0;      // of its lowest point above the ground, mm; negative: below it, as
                               // deep as its mid-planes
     Vec3 lowestPoint = Vec3::Zero();
+    Ground ground;     // on which it stands, or would
+    double lean = 0.0; // radians, of what comes to stand only when it leans
 };
 
 /// Where the centre of mass lies over the contacts.

@@ -61,8 +61,8 @@ inline constexpr double kSameView = 1e-3;
 
 /// A section point this near to Y = 0 stands on the ground.
 inline constexpr double kGroundContact = 0.05;
-/// A model that reaches below the ground by more than this is in it. By no more it stands on it all
-/// the same: FlatFab cuts its models 0.005 units (0.127 mm) below the ground.
+/// A model that reaches below the ground by more than this is in it, one that is higher above it
+/// hangs there. By no more it stands on it all the same: FlatFab cuts its models 0.005 units (0.127 mm) below the ground.
 inline constexpr double kGroundSunk = 0.2;
 
 /// Deviation from orthonormal axes that is rounding of a file, not a skew frame (no unit).

@@ -114,6 +114,20 @@ private:
     bool m_isWide = false;
 };
 
+/// mm², of the two parts of a ring that a chord from its vertex to a point of one of its edges
+/// leaves the smaller one: of a tooth that clearance left beside the mouth of a slit next to
+/// nothing.
+double partedArea(const Polygon &ring, int vertex, int edge, const Vec2 &at)
+{
+    const int count = static_cast<int>(ring.size());
+    Polygon part{at};
+    for (int i = (edge + 1) % count; i != vertex; i = (i + 1) % count)
+        part.push_back(ring[static_cast<std::size_t>(i)]);
+    part.push_back(ring[static_cast<std::size_t>(vertex)]);
+    const double one = std::abs(signedArea(part));
+    return std::min(one, std::abs(std::abs(signedArea(ring)) - one));
+}
+
 /// Fills the lists of cuts and of samples on them.
 class SampleMaker
 {
@@ -232,7 +246,9 @@ void SampleMaker::addLigament(const ReentrantCorner &corner)
         const auto p = cone.nearest(outline.vertex(ring, edge) - corner.at,
                                     outline.vertex(ring, edge + 1) - corner.at);
         if (p && p->norm() <= kMinLigament) {
-            m_isPinched = true;
+            m_isPinched = m_isPinched || ring != corner.ring ||
+                          partedArea(outline.rings()[static_cast<std::size_t>(ring)], corner.vertex,
+                                     edge, corner.at + *p) > kWasteArea;
         } else if (p && p->norm() < least - kSameLength) {
             least = p->norm();
             nearest = *p;

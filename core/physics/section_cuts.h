@@ -48,7 +48,8 @@ public:
     const std::vector<LineCut> &cuts() const { return m_cuts; }
     const std::vector<CutSample> &samples() const { return m_samples; }
     double spacing() const { return m_spacing; } // mm
-    /// Somewhere it hangs together by less than 0.05 mm, or touches itself: no cut is made there.
+    /// Somewhere more than waste hangs on it by less than 0.05 mm, or it touches itself: no cut is
+    /// made there.
     bool isPinched() const { return m_isPinched; }
     /// Of the samples away from slits that part it into two pieces worth the name the shortest;
     /// null without one.

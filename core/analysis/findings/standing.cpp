@@ -15,6 +15,10 @@ namespace {
 
 using Group = std::vector<int>; // bodies
 
+/// What leans by less nobody sees (0.1°), by less than the other nobody minds (1°). Radians.
+constexpr double kLeastLean = 0.0017453292519943296;
+constexpr double kPlainLean = 0.017453292519943295;
+
 // --- what can be done
 
 //: %1 is the name of a section
@@ -72,6 +76,11 @@ std::vector<FindingAction> stretch(const Finding &, const Analysis &)
     return {{&kStretchToGround}, {&kWidenBase}, {&kAddFoot}};
 }
 
+std::vector<FindingAction> level(const Finding &, const Analysis &)
+{
+    return {{&kStretchToGround}};
+}
+
 std::vector<FindingAction> broaden(const Finding &, const Analysis &)
 {
     return {{&kWidenBase}, {&kAddFoot}};
@@ -95,9 +104,55 @@ Message ofThese(const Finding &finding, const Model &model, Message sentence)
 Message standsSentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
+    if (footing.lean < kLeastLean)
+        return ofThese(finding, model,
+                       {FFF_TEXT("Checks", "Stands. Tips only past %1. Margin %2."),
+                        {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
     return ofThese(finding, model,
-                   {FFF_TEXT("Checks", "Stands. Tips only past %1. Margin %2."),
-                    {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+                   {FFF_TEXT("Checks", "Stands, %1 aslant. Tips only past %2. Margin %3."),
+                    {angleOf(footing.lean), angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+}
+
+/// What else could be a foot; may be empty.
+Message feetSentence(const Finding &finding, const Model &model)
+{
+    const std::vector<HighFoot> &feet = finding.details<Footing>()->feet;
+    if (feet.empty())
+        return {};
+    double highest = 0.0;
+    for (const HighFoot &foot : feet)
+        highest = std::max(highest, foot.height);
+    return {feet.size() == 1
+                ? FFF_TEXT("Checks", "The lowest point of %1 is %2 above the ground.")
+                : FFF_TEXT("Checks", "The lowest points of %1 are up to %2 above the ground."),
+            {namesOf(model, finding.helpers), lengthOf(highest)}};
+}
+
+Text leanOf(Towards side)
+{
+    switch (side) {
+    case Towards::Front:
+        return FFF_TEXT("Checks", "Leans %1 forwards");
+    case Towards::Back:
+        return FFF_TEXT("Checks", "Leans %1 backwards");
+    case Towards::Left:
+        return FFF_TEXT("Checks", "Leans %1 to its left");
+    case Towards::Right:
+        return FFF_TEXT("Checks", "Leans %1 to its right");
+    }
+    return {}; // not reached: every side is above
+}
+
+Message leansSentence(const Finding &finding, const Model &model)
+{
+    const Footing &footing = *finding.details<Footing>();
+    return ofThese(
+        finding, model,
+        joined(
+            {FFF_TEXT("Checks", "%1 before it stands: its lowest points are not all on the "
+                                "ground. Tips only past %2."),
+             {Message{leanOf(footing.leans), {angleOf(footing.lean)}}, angleOf(footing.tipAngle)}},
+            feetSentence(finding, model)));
 }
 
 Message wouldStandSentence(const Finding &finding, const Model &model)
@@ -127,21 +182,6 @@ Message unsteadyTitle(const Finding &finding)
     return {finding.severity == Severity::Error ? FFF_TEXT("Checks", "Falls at a touch")
                                                 : FFF_TEXT("Checks", "Tips easily"),
             {}};
-}
-
-/// What else could be a foot; may be empty.
-Message feetSentence(const Finding &finding, const Model &model)
-{
-    const std::vector<HighFoot> &feet = finding.details<Footing>()->feet;
-    if (feet.empty())
-        return {};
-    double highest = 0.0;
-    for (const HighFoot &foot : feet)
-        highest = std::max(highest, foot.height);
-    return {feet.size() == 1
-                ? FFF_TEXT("Checks", "The lowest point of %1 is %2 above the ground.")
-                : FFF_TEXT("Checks", "The lowest points of %1 are up to %2 above the ground."),
-            {namesOf(model, finding.helpers), lengthOf(highest)}};
 }
 
 Text fallOf(Towards side)
@@ -232,7 +272,9 @@ const FindingKind &kindOf(const Stability &stability)
 {
     switch (stability.standing) {
     case Standing::Stands:
-        return stability.tipAngle < kSteadyTilt ? kUnsteady : kStands;
+        return stability.tipAngle < kSteadyTilt ? kUnsteady
+               : stability.lean > kPlainLean    ? kLeans
+                                                : kStands;
     case Standing::Topples:
         return kTopples;
     case Standing::LineSupport:
@@ -254,6 +296,13 @@ std::vector<SectionRef> sunkSections(const Analysis &analysis, Group group)
     return analysis.model.refs(sectionsOf(analysis.bodies, group));
 }
 
+void addFeet(const Analysis &analysis, const Group &group, Footing &footing, Finding &finding)
+{
+    footing.feet = feetToStretch(analysis, group);
+    for (const HighFoot &foot : footing.feet)
+        finding.helpers.push_back(foot.section);
+}
+
 Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &stance)
 {
     Footing footing;
@@ -262,6 +311,8 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
     footing.margin = stability.margin;
     footing.tipAngle = stability.tipAngle;
     footing.side = towards(stability.fall);
+    footing.lean = stability.lean;
+    footing.leans = towards(-Vec2(stability.ground.up.x(), stability.ground.up.z()));
     footing.support = stability.support;
     footing.edge = stability.nearest;
     footing.sections = static_cast<int>(sectionsOf(at.analysis.bodies, group).size());
@@ -270,9 +321,11 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
     finding.at = Vec3(centre.x(), 0.0, centre.z());
     switch (stability.standing) {
     case Standing::Stands:
-        finding.severity = !finding.is(kUnsteady)            ? Severity::Good
+        finding.severity = finding.is(kStands)               ? Severity::Good
                            : stability.tipAngle < kLeastTilt ? Severity::Error
                                                              : Severity::Warning;
+        if (finding.is(kLeans))
+            addFeet(at.analysis, group, footing, finding);
         break;
     case Standing::NoContact:
     case Standing::BelowGround:
@@ -281,9 +334,7 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
         break;
     case Standing::Topples:
     case Standing::LineSupport:
-        footing.feet = feetToStretch(at.analysis, group);
-        for (const HighFoot &foot : footing.feet)
-            finding.helpers.push_back(foot.section);
+        addFeet(at.analysis, group, footing, finding);
         break;
     }
     if (finding.is(kBelowGround))
@@ -315,6 +366,15 @@ const FindingKind kUnsteady{.name = "unsteady",
                             .titled = unsteadyTitle,
                             .spare = tipAngleOf,
                             .yet = kNotYet};
+const FindingKind kLeans{.name = "leans",
+                         .subject = Subject::Stability,
+                         .title = FFF_TEXT("Checks", "Leans"),
+                         .sentence = leansSentence,
+                         .actions = level,
+                         .look = footingLook,
+                         .advice = FFF_TEXT("Checks", "Let its feet end on one plane."),
+                         .spare = tipAngleOf,
+                         .yet = kNotYet};
 const FindingKind kTopples{.name = "topples",
                            .subject = Subject::Stability,
                            .title = FFF_TEXT("Checks", "Falls over"),
@@ -358,7 +418,7 @@ void findStanding(const Looked &at, std::vector<Finding> &found)
         if (g > 0 && isLoosePiece(at.analysis.bodies, at.groups[g]))
             continue; // whether it stands is not what is wrong with it
         Finding finding = standingOf(at, at.groups[g], at.caches.stances[g]);
-        if (finding.is(kStands) || finding.is(kUnsteady)) {
+        if (finding.is(kStands) || finding.is(kLeans) || finding.is(kUnsteady)) {
             const Footing &footing = *finding.details<Footing>();
             standing += footing.sections;
             if (!first || footing.tipAngle < first->details<Footing>()->tipAngle)

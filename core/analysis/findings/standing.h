@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/analysis/finder.h"
+#include "core/analysis/footing.h"
 #include "core/analysis/stretching.h"
-#include "core/assembly/stability.h"
 
 namespace fff {
 
@@ -20,23 +20,18 @@ struct Footing
     Polygon support;          // (x, z); see stability.h
     Vec2 edge = Vec2::Zero(); // (x, z), of its boundary nearest to the centre of mass
     Towards side = Towards::Front; // where to it falls, or would first
+    double lean = 0.0;             // radians, before all its feet that carry touch
+    Towards leans = Towards::Front;
     double height = 0.0; // kNoContact: above the ground, kBelowGround: below it, mm; both positive
     std::vector<HighFoot> feet; // kTopples, kLineSupport: who would hold it up on the ground
     int sections = 0;           // that stand
     Text provided = {};         // kWouldStand: what keeps it from standing, "if it did not fold"
 };
 
-/// Tilted by less than this, something that stands ought not to fall: 10°, as for household
-/// equipment (IEC 62368-1, stability). Radians.
-inline constexpr double kSteadyTilt = 0.17453292519943295;
-
-/// Tilted by less than this it falls by itself: tables lean, joints give, and an edge that was cut
-/// is not straight. 2°, radians.
-inline constexpr double kLeastTilt = 0.03490658503988659;
-
 extern const FindingKind kStands;
 extern const FindingKind kUnsteady;   // stands, but tips when tilted by less than kSteadyTilt; an
                                       // error below kLeastTilt
+extern const FindingKind kLeans;      // stands, but aslant by more than anybody overlooks
 extern const FindingKind kWouldStand; // as one piece, which something else says it is not
 extern const FindingKind kTopples;
 extern const FindingKind kLineSupport; // falls to either side
