@@ -94,31 +94,57 @@ bool isSteady(const Stability &stability)
     return stability.standing == Standing::Stands && stability.tipAngle >= kSteadyTilt;
 }
 
+/// Of a group, the scale of what counts as a line.
+struct GroupExtent
+{
+    GroupExtent(const Bodies &bodies, const Group &group)
+    {
+        Box3 box;
+        for (const int body : group) {
+            box.extend(bodies.at(body).box());
+            thinnest = std::min(thinnest, bodies.at(body).thickness());
+        }
+        size = box.isEmpty() ? 0.0 : box.size().maxCoeff();
+    }
+    double thinnest = std::numeric_limits<double>::infinity(), size = 0.0; // mm
+};
+
+Stability drawnStability(const GroupExtent &extent, const Vec3 &centre,
+                         const GroundContact &contact)
+{
+    if (extent.size == 0.0)
+        return {};
+    const bool isDrawnThere = std::abs(contact.lowest) <= kGroundContact;
+    const Ground level{Vec3::UnitY(), isDrawnThere ? 0.0 : contact.lowest};
+    Stability found =
+        stability(contact, centre - level.height * Vec3::UnitY(), extent.thinnest, extent.size);
+    found.ground = level;
+    return found;
+}
+
+/// Whether something hangs so low above the ground that it comes down when it rocks.
+bool rocks(const Bodies &bodies, const Group &group, double lowest, double size)
+{
+    return std::any_of(group.begin(), group.end(), [&](int body) {
+        const double low = bodies.at(body).contact().lowest - lowest;
+        return low > kGroundContact && low <= kRocking * size;
+    });
+}
+
 Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProperties &mass,
                       const GroundContact &contact)
 {
-    Box3 box;
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const int body : group) {
-        box.extend(bodies.at(body).box());
-        thinnest = std::min(thinnest, bodies.at(body).thickness());
-    }
-    if (box.isEmpty())
-        return {};
-    const double size = box.size().maxCoeff();
-    const bool isDrawnThere = std::abs(contact.lowest) <= kGroundContact;
-    const Ground level{Vec3::UnitY(), isDrawnThere ? 0.0 : contact.lowest};
-    Stability asDrawn =
-        stability(contact, mass.centre - level.height * Vec3::UnitY(), thinnest, size);
-    asDrawn.ground = level;
-    if (contact.stretches == 0 || isSteady(asDrawn))
-        return asDrawn;
-    const auto rest = settle(lowPoints(bodies, group, contact.lowest, size), mass.centre);
+    const GroupExtent extent(bodies, group);
+    Stability drawn = drawnStability(extent, mass.centre, contact);
+    if (contact.stretches == 0 ||
+        (isSteady(drawn) && !rocks(bodies, group, contact.lowest, extent.size)))
+        return drawn;
+    const auto rest = settle(lowPoints(bodies, group, contact.lowest, extent.size), mass.centre);
     if (!rest)
-        return asDrawn;
-    const Stability found = onRest(*rest, contact, mass.centre, thinnest, size);
-    return asDrawn.standing != Standing::Stands || found.tipAngle > asDrawn.tipAngle ? found
-                                                                                     : asDrawn;
+        return drawn;
+    Stability leaning = onRest(*rest, contact, mass.centre, extent.thinnest, extent.size);
+    const bool isBetter = drawn.standing != Standing::Stands || leaning.tipAngle > drawn.tipAngle;
+    return isBetter ? leaning : drawn;
 }
 
 } // namespace
@@ -165,6 +191,12 @@ Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group)
 {
     return stabilityOf(analysis.bodies, group, loadedMass(analysis, group),
                        contactOf(analysis.bodies, group));
+}
+
+Stability asDrawn(const Analysis &analysis, const std::vector<int> &group)
+{
+    return drawnStability(GroupExtent(analysis.bodies, group), loadedMass(analysis, group).centre,
+                          contactOf(analysis.bodies, group));
 }
 
 Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group,

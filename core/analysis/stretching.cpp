@@ -169,7 +169,7 @@ class Search
 {
 public:
     Search(const Analysis &analysis, const std::vector<int> &group)
-        : m_analysis(analysis), m_group(group), m_before(stabilityOf(analysis, group)),
+        : m_analysis(analysis), m_group(group), m_before(asDrawn(analysis, group)),
           m_centre(centreOf(analysis, group))
     {
     }
@@ -318,7 +318,8 @@ std::optional<Document> standingOn(const Analysis &analysis, const std::vector<i
     caches.last = AnalysisPointer(AnalysisPointer(), &analysis); // it outlives them
     const Analysis next = analyse(evaluate(*document, analysis.model), caches);
     const int first = analysis.bodies.sectionOf(group.front());
-    if (stabilityOf(next, groupOf(next, first)).standing != Standing::Stands ||
+    const Stability then = stabilityOf(next, groupOf(next, first));
+    if (then.standing != Standing::Stands || then.lean > kPlainLean ||
         !joinTheSame(analysis.assembly.joints, next.assembly.joints) ||
         std::any_of(feet.begin(), feet.end(), [&](const HighFoot &foot) {
             return comesUponOthers(analysis.model.indexOf(foot.section), analysis, next);

@@ -13,8 +13,9 @@ namespace fff {
 
 namespace {
 
-/// What comes down when it rocks by less than this over an edge is a foot (half a degree, radians).
-constexpr double kRocking = 0.008726646259971648;
+/// What leans rocks back onto the feet that it came from: by no more than this is that seen to (5°,
+/// radians).
+constexpr double kMostRocking = 0.08726646259971647;
 /// More steps than this no rolling takes that leans by kFarthestLean at the most.
 constexpr int kMostSteps = 200;
 
@@ -36,7 +37,8 @@ public:
     }
 
     const Ground &ground() const { return m_ground; }
-    std::vector<Vec3> contacts() const;
+    /// With those that come down when it rocks by less.
+    std::vector<Vec3> contacts(double rocking) const;
     /// About which it rolls on, if it does.
     std::optional<Roll> next() const;
     /// Until another point touches, radians; infinite: none will.
@@ -108,7 +110,7 @@ void Rolling::roll(const Roll &roll, double angle)
 }
 
 /// Where it rocks over an edge it stands on the same edge and what comes down beyond it.
-std::vector<Vec3> Rolling::contacts() const
+std::vector<Vec3> Rolling::contacts(double rocking) const
 {
     std::vector<Roll> edges;
     for (std::size_t i = 0, j = m_feet.size() - 1; i < m_feet.size(); j = i++)
@@ -120,7 +122,7 @@ std::vector<Vec3> Rolling::contacts() const
         const double above = m_ground.above(p);
         const bool comesDown = std::any_of(edges.begin(), edges.end(), [&](const Roll &edge) {
             const double out = edge.way.dot(along(p) - edge.from);
-            return out > kClipGrid && std::atan2(above, out) <= kRocking;
+            return out > kClipGrid && std::atan2(above, out) <= rocking;
         });
         if (touches(p) || comesDown)
             found.push_back(p);
@@ -151,7 +153,8 @@ std::optional<Rest> settle(const std::vector<Vec3> &points, const Vec3 &centreOf
     for (int step = 0; step < kMostSteps; ++step) {
         const std::optional<Roll> roll = rolling.next();
         if (!roll)
-            return Rest{rolling.ground(), lean(), rolling.contacts()};
+            return Rest{rolling.ground(), lean(),
+                        rolling.contacts(kRocking + std::min(lean(), kMostRocking))};
         const double angle = rolling.angleOf(*roll);
         if (angle > 2.0 * kFarthestLean)
             return std::nullopt;

@@ -32,10 +32,13 @@ struct Rest
 /// Farther than this nothing is said to lean, it falls (10°, radians).
 inline constexpr double kFarthestLean = 0.17453292519943295;
 
+/// What comes down when it rocks by less than this over an edge is a foot (half a degree, radians).
+inline constexpr double kRocking = 0.008726646259971648;
+
 /// It rolls, as slowly as can be, about the nearest edge of what touches, until its centre of mass
 /// is over that: its height sinks with each step. Points touch that are within kGroundContact of
-/// the lowest. Those on which it comes to stand when it rocks by less than half a degree over an
-/// edge of the others are counted as contacts too: a table with one short leg does not fall.
+/// the lowest. Those on which it comes to stand when it rocks by less than kRocking over an edge
+/// of the others are counted as contacts too: a table with one short leg does not fall.
 /// points  of which the hull is its own, mm, world; at least all that are no higher above the
 ///         lowest than what leans by kFarthestLean would bring down
 /// Result  none: it leans by more than kFarthestLean before it rests. Without points none either.

@@ -86,6 +86,9 @@ double angleBetween(const Model &model, const std::pair<int, int> &sections)
     return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
+/// mm that a hand files away; more of one part in another cannot be put together.
+constexpr double kFiledAway = 1.0;
+
 /// What is so deep in another one cannot be made; a little is filed away. What ends in the middle
 /// of the other's thickness does so but for rounding.
 Severity severityOf(double depth, const Model &model, const std::pair<int, int> &sections)
@@ -93,7 +96,8 @@ Severity severityOf(double depth, const Model &model, const std::pair<int, int> 
     const double thinner =
         std::min(model.stockOf(static_cast<std::size_t>(sections.first)).thickness,
                  model.stockOf(static_cast<std::size_t>(sections.second)).thickness);
-    return depth > 0.5 * thinner + kTouchingDepth ? Severity::Error : Severity::Warning;
+    const bool isFiled = depth <= std::min(0.5 * thinner, kFiledAway) + kTouchingDepth;
+    return isFiled ? Severity::Warning : Severity::Error;
 }
 
 /// Of all pieces of two sections the deepest.

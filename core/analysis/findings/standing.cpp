@@ -15,9 +15,8 @@ namespace {
 
 using Group = std::vector<int>; // bodies
 
-/// What leans by less nobody sees (0.1°), by less than the other nobody minds (1°). Radians.
+/// What leans by less nobody sees (0.1°, radians).
 constexpr double kLeastLean = 0.0017453292519943296;
-constexpr double kPlainLean = 0.017453292519943295;
 
 // --- what can be done
 

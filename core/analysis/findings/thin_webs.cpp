@@ -73,10 +73,12 @@ void refresh(const Analysis &analysis, PlanCheckCaches &caches)
     }
 }
 
-/// What is no wall to a slit (assembly/grips.h) is none here either.
+/// mm: what is thinner burns away, or breaks in the hand: the slit has no wall there.
+constexpr double kLeastWeb = 0.3;
+
 Severity severityOf(double width, double thickness)
 {
-    if (width < kGripWall)
+    if (width < kLeastWeb)
         return Severity::Error;
     return width >= 0.5 * thickness ? Severity::Note : Severity::Warning;
 }

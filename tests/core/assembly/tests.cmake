@@ -12,6 +12,7 @@ fff_tests(tests_assembly LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/assembly/tst_playback
     core/assembly/tst_shared_models
     core/assembly/tst_shared_rows
+    core/assembly/tst_settling
     core/assembly/tst_slab
     core/assembly/tst_slit_form
     core/assembly/tst_slits

@@ -141,7 +141,7 @@ void TestCheckActions::editsMend_data()
         << withSection(withSection(withSection(newDocument(), plateOf(-100, 40, 100, 80), front()),
                                    plateOf(-30, 0, 30, 60), side(60)),
                        plateOf(-30, 6, 30, 60), side(-60))
-        << &kStretchToGround << &kTopples;
+        << &kStretchToGround << &kLeans;
     QTest::newRow("what is sunk is lifted")
         << moveAll(eggCrate(2, 2), {0, -12, 0}) << &kDropToGround << &kBelowGround;
 }

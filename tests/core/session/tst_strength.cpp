@@ -56,7 +56,7 @@ double carriedOf(const Strength &strength)
 {
     double sum = 0.0;
     for (const FootForce &foot : strength.equilibrium().feet)
-        sum += foot.force.y();
+        sum += foot.force.dot(strength.made.structure.up);
     return sum;
 }
 
