@@ -85,12 +85,11 @@ void TestSettling::itRestsAsItsEnergySays()
         const Vec3 mass(centre(random), 60.0, centre(random));
         const auto rest = settle(points, mass);
         const SettleOracle oracle(points, mass);
-        const bool isNear = std::abs(oracle.lean() - kFarthestLean) < radians(0.5);
         (rest ? stood : fell) += 1;
-        if (!isNear)
-            QCOMPARE(rest.has_value(), oracle.lean() < kFarthestLean);
-        if (!rest)
+        if (!rest) {
+            QVERIFY(oracle.lean() > kFarthestLean - radians(0.5));
             continue;
+        }
         const Vec3 &ground = rest->ground.up;
         // As long as ways are short: what leans farther is lower by its own cosine, too.
         const double height = oracle.heightAt(ground.x() / ground.y(), ground.z() / ground.y());

@@ -203,7 +203,7 @@ constexpr BrokenKind kBroken[] = {
     {"turn slits round, loose parts", &kTurnSlits, &kLoosePieces, slitThroughModel},
     {"end one at the other, loose parts", &kEndBefore, &kLoosePieces, slitThroughModel},
     {"turn slits round, pulled open", &kTurnPulledSlits, &kPulledOpen, pulledModel},
-    {"stretch to the ground", &kStretchToGround, &kTopples, onShortLegs},
+    {"stretch to the ground", &kStretchToGround, &kLeans, onShortLegs},
     {"drop, above", &kDropToGround, &kNoContact, offTheGround},
     {"drop, below", &kDropToGround, &kBelowGround, offTheGround},
     {"widen the base, falls", &kWidenBase, &kTopples, topplingModel},
