@@ -120,8 +120,10 @@ target_sources(fff_ui PRIVATE
     properties/choice_box.cpp
     properties/dimension_group.cpp
     properties/drawing_group.cpp
+    properties/driven_field.cpp
     properties/exception_rows.cpp
     properties/figure_group.cpp
+    properties/formula_line.cpp
     properties/input_row.cpp
     properties/instance_group.cpp
     properties/joint_rows.cpp
@@ -133,8 +135,10 @@ target_sources(fff_ui PRIVATE
     properties/magnet_group.cpp
     properties/mark_group.cpp
     properties/mass_edit.cpp
+    properties/name_completion.cpp
     properties/named_number_group.cpp
     properties/number_edit.cpp
+    properties/number_edit_followed.cpp
     properties/open_editor.cpp
     properties/parameter_row.cpp
     properties/place_group.cpp

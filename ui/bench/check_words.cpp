@@ -18,17 +18,6 @@ struct CheckTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::CheckWords)
 };
 
-UnitWords unitsInUse()
-{
-    const QLocale locale;
-    UnitWords units = metricUnits();
-    units.length = [locale](double mm) { return lengthText(mm, 0, 1, locale); };
-    units.width = [locale](double mm) { return lengthText(mm, 2, 3, locale); };
-    units.size = [locale](const Vec2 &mm) { return sizeText({mm.x(), mm.y()}, 0, locale); };
-    units.mass = [locale](double kg) { return massText(kg, locale); };
-    return units;
-}
-
 } // namespace
 
 CheckWords checkWords(const Finding &finding, const Model &model)

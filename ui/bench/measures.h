@@ -2,6 +2,7 @@
 // analysis knows them, and in the words of the locale.
 #pragma once
 
+#include "core/session/message_text.h"
 #include "core/session/session.h"
 #include "ui/base/lengths.h"
 
@@ -32,5 +33,8 @@ QString massText(double kilograms, const QLocale &locale);         // "78 g", "1
 QString areaText(double squareMillimetres, const QLocale &locale); // "54.2 cm²", "8.40 in²"
 /// "84.0 × 84.4 mm", in the unit that is set; the digits are those for millimetres.
 QString sizeText(std::initializer_list<double> millimetres, int digits, const QLocale &locale);
+
+/// How sentences say lengths and masses: in the unit that is set.
+UnitWords unitsInUse();
 
 } // namespace fff::ui

@@ -1,5 +1,6 @@
 #include "ui/bench/number_names.h"
 
+#include "core/base/letters.h"
 #include "core/model/named_numbers.h"
 #include "ui/bench/workbench.h"
 
@@ -17,7 +18,15 @@ NumberNames NumberNameSource::names() const
     if (!m_bench)
         return {};
     const Document &document = m_bench->session().committed().document;
-    return namesBefore(document, document.numbers.size());
+    return [numbers = namesBefore(document, document.numbers.size()),
+            values = m_bench->session().committed().evaluation.values.names()](
+               std::string_view name) -> std::optional<NamedValue> {
+        const Worth *worth = values(foldedName(name));
+        const bool isLength = worth && worth->powers == kLengthPowers;
+        if (worth && worth->type == Worth::Type::Number && (isLength || worth->powers.isNone()))
+            return NamedValue{worth->number, isLength};
+        return numbers(name);
+    };
 }
 
 NumberNames numberNamesFor(const QWidget *field)

@@ -29,12 +29,14 @@ void explain(PropertyRow *row, const char *editor, const QString &text)
 }
 
 LengthRow *lengthRow(PropertyGroup *group, const StockAccess &stock, const QString &name,
-                     const char *objectName, const LengthEdit::Range &range, double Stock::*value)
+                     const char *objectName, const LengthEdit::Range &range, double Stock::*value,
+                     const char *field)
 {
     auto *row = new LengthRow(
         name, objectName, range, [stock, value] { return std::optional(stock.read()->*value); },
         [stock, value](double mm) { stock.edit([&](Stock &s) { s.*value = mm; }); }, group);
     row->setThickness([stock] { return std::optional(stock.read()->thickness); });
+    row->setFollowed(stock.followed(field));
     group->add(row);
     return row;
 }
@@ -58,7 +60,7 @@ std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &
     group->add(end);
 
     LengthRow *tool = lengthRow(group, stock, SlitRowsTexts::tr("Tool"), "stockTool",
-                                {0.1, 25.0, 0.1, 2, 3}, &Stock::toolDiameter);
+                                {0.1, 25.0, 0.1, 2, 3}, &Stock::toolDiameter, "toolDiameter");
     // Shows nothing: whether there is a tool hangs on the end.
     auto *reason = new EditorRow(
         QString(), "", nullptr,
@@ -76,12 +78,12 @@ std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &
         group);
 
     LengthRow *leadIn = lengthRow(group, stock, SlitRowsTexts::tr("Lead-in"), "stockLeadIn",
-                                  {0.0, 20.0, 0.1, 1, 3}, &Stock::leadIn);
+                                  {0.0, 20.0, 0.1, 1, 3}, &Stock::leadIn, "leadIn");
     explain(leadIn, "stockLeadIn",
             SlitRowsTexts::tr("Chamfer of both walls at a slit's mouth, at 45°, so that sections "
                               "slide in easily. Half to all of the thickness is usual; 0: none."));
     LengthRow *bumps = lengthRow(group, stock, SlitRowsTexts::tr("Friction bumps"), "stockBumps",
-                                 {0.0, 1.0, 0.01, 2, 3}, &Stock::bumps);
+                                 {0.0, 1.0, 0.01, 2, 3}, &Stock::bumps, "bumps");
     explain(bumps, "stockBumps",
             SlitRowsTexts::tr(
                 "Height of a small bump on each wall of a slit, which presses on the section "

@@ -13,6 +13,7 @@ struct StockAccess
 {
     std::function<const Stock *()> read; // never null while rows are refreshed
     std::function<void(const std::function<void(Stock &)> &)> edit;
+    std::function<Followed(const char *field)> followed; // core/operations/driven_things.cpp
 };
 
 /// Adds the rows to the group; all that have to be refreshed, some of which show nothing.

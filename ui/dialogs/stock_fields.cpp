@@ -8,6 +8,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/slit_rows.h"
 #include "ui/dialogs/stock_words.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
@@ -93,6 +94,7 @@ void StockFields::makeSheet()
             [this](double mm) { commitThickness(m_bench, std::array{m_stock}, mm); });
     connect(thickness, &ThicknessField::cancelled, this,
             [this] { m_bench.session().cancelPreview(); });
+    thickness->setFollowed(followedOf("thickness"));
     auto *row = new EditorRow(
         tr("Thickness"), "stockThickness", thickness,
         [this, thickness] { thickness->setThickness(stock()->thickness); }, group);
@@ -133,6 +135,7 @@ QWidget *StockFields::makeSheetSize()
         auto *length = new LengthEdit(kSheetRange, editor);
         length->setObjectName(axis == 0 ? QStringLiteral("stockSheetWidth")
                                         : QStringLiteral("stockSheetHeight"));
+        length->setFollowed(followedOf(axis == 0 ? "sheetWidth" : "sheetHeight"));
         length->setAccessibleName(axis == 0 ? tr("Width of the sheet") : tr("Height of the sheet"));
         length->setFixedWidth(94);
         length->setThickness([this] { return std::optional(stock()->thickness); });
@@ -207,8 +210,9 @@ void StockFields::makeStrength()
 void StockFields::makeCutting()
 {
     PropertyGroup *group = addGroup(tr("Cutting"));
-    addLength(group, tr("Kerf width (full)"), "stockKerf", 0.0, 5.0, &Stock::kerf);
-    addLength(group, tr("Slit clearance"), "stockClearance", -1.0, 1.0, &Stock::clearance);
+    addLength(group, tr("Kerf width (full)"), "stockKerf", 0.0, 5.0, &Stock::kerf, "kerf");
+    addLength(group, tr("Slit clearance"), "stockClearance", -1.0, 1.0, &Stock::clearance,
+              "clearance");
     auto *drawn = new TextRow(
         tr("Drawn slit width"), "stockSlitWidth",
         [this] { return drawnSlitText(*stock(), locale()); }, group);
@@ -220,7 +224,8 @@ void StockFields::makeCutting()
 void StockFields::makeSlits()
 {
     const StockAccess access{[this] { return stock(); },
-                             [this](const std::function<void(Stock &)> &change) { edit(change); }};
+                             [this](const std::function<void(Stock &)> &change) { edit(change); },
+                             [this](const char *field) { return followedOf(field); }};
     for (PropertyRow *row : addSlitRows(addGroup(tr("Slits")), access))
         m_rows.push_back(row);
 }
@@ -266,15 +271,24 @@ void StockFields::addRating(PropertyGroup *group, const QString &name, const cha
 }
 
 void StockFields::addLength(PropertyGroup *group, const QString &name, const char *objectName,
-                            double least, double most, double Stock::*value)
+                            double least, double most, double Stock::*value, const char *field)
 {
     auto *row = new LengthRow(
         name, objectName, {least, most, 0.01, 2, 3},
         [this, value] { return std::optional(stock()->*value); },
         [this, value](double mm) { edit([&](Stock &s) { s.*value = mm; }); }, group);
     row->setThickness([this] { return std::optional(stock()->thickness); });
+    row->setFollowed(followedOf(field));
     group->add(row);
     m_rows.push_back(row);
+}
+
+Followed StockFields::followedOf(const char *field)
+{
+    return followedAt(m_bench, [this, field] {
+        return std::optional(
+            DrivenPlace{.of = DrivenPlace::Of::Stock, .id = m_stock.value, .field = field});
+    });
 }
 
 const Stock *StockFields::stock() const

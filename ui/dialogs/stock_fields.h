@@ -4,6 +4,8 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
+#include "ui/properties/followed.h"
+
 #include "core/model/document.h"
 
 #include <functional>
@@ -44,7 +46,8 @@ private:
                    double step, const QString &unit, double perUnit,
                    std::optional<double> Stock::*value);
     void addLength(PropertyGroup *group, const QString &name, const char *objectName, double least,
-                   double most, double Stock::*value);
+                   double most, double Stock::*value, const char *field);
+    Followed followedOf(const char *field);
     QWidget *makeSheetSize();
     const Stock *stock() const;
     void edit(const std::function<void(Stock &)> &change);

@@ -6,6 +6,7 @@
 #include "core/model/load_edits.h"
 #include "ui/base/icon.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/load_presets.h"
 #include "ui/properties/mass_edit.h"
 #include "ui/properties/property_rows.h"
@@ -82,6 +83,29 @@ PropertyRow *LoadPage::add(PropertyGroup *group, PropertyRow *row, std::function
     return row;
 }
 
+Followed LoadPage::followedOf(const char *field)
+{
+    return followedAt(m_bench, [this, field] {
+        return std::optional(
+            DrivenPlace{.of = DrivenPlace::Of::Load, .id = m_load.id.value, .field = field});
+    });
+}
+
+PropertyRow *LoadPage::lengthRow(const QString &name, const char *objectName,
+                                 const NumberEdit::Range &range, const char *field,
+                                 std::function<double &(Load &)> in, PropertyGroup *group)
+{
+    auto *row = new LengthRow(
+        name, objectName, range,
+        [this, in]() -> std::optional<double> {
+            Load copy = load();
+            return in(copy);
+        },
+        [this, in](double value) { change([&](Load &load) { in(load) = value; }); }, group);
+    row->setFollowed(followedOf(field));
+    return row;
+}
+
 void LoadPage::addWeightRows(PropertyGroup *group)
 {
     const auto always = [] { return true; };
@@ -116,6 +140,7 @@ void LoadPage::addWeightRows(PropertyGroup *group)
             load.filled = std::min(load.filled, load.mass);
         });
     });
+    mass->setFollowed(followedOf("mass"));
     add(group,
         new EditorRow(
             tr("Mass"), "loadMass", mass,
@@ -147,11 +172,9 @@ void LoadPage::addWeightRows(PropertyGroup *group)
             return preset && preset->holds > 0.0;
         });
     add(group,
-        new LengthRow(
-            tr("Centre of mass"), "loadHeight", kCentreHeight,
-            [this] { return std::optional(load().height); },
-            [this](double height) { change([height](Load &load) { load.height = height; }); },
-            group),
+        lengthRow(
+            tr("Centre of mass"), "loadHeight", kCentreHeight, "height",
+            [](Load &load) -> double & { return load.height; }, group),
         [this] { return load().spread != Spread::Hanging; })
         ->setToolTip(tr("Height above its place: the higher, the sooner the model tips over"));
 }
@@ -212,13 +235,9 @@ void LoadPage::addPlaceRows(PropertyGroup *group)
         always);
     const auto addPlace = [&](int axis, const QString &name, const char *objectName) {
         add(group,
-            new LengthRow(
-                name, objectName, kLoadPlace,
-                [this, axis] { return std::optional(load().position[axis]); },
-                [this, axis](double value) {
-                    change([axis, value](Load &load) { load.position[axis] = value; });
-                },
-                group),
+            lengthRow(
+                name, objectName, kLoadPlace, axis == 0 ? "x" : "y",
+                [axis](Load &load) -> double & { return load.position[axis]; }, group),
             always)
             ->setToolTip(tr("In the section's own plane, from its origin"));
     };
@@ -247,9 +266,9 @@ void LoadPage::addSpreadRows(PropertyGroup *group)
             group),
         [] { return true; });
     add(group,
-        new LengthRow(
-            tr("Width"), "loadWidth", kSpreadWidth, [this] { return std::optional(load().width); },
-            [this](double width) { change([width](Load &load) { load.width = width; }); }, group),
+        lengthRow(
+            tr("Width"), "loadWidth", kSpreadWidth, "width",
+            [](Load &load) -> double & { return load.width; }, group),
         [this] { return load().spread == Spread::Patch || load().spread == Spread::Edge; });
     auto *repeated = new QCheckBox(group);
     connect(repeated, &QCheckBox::clicked, this,

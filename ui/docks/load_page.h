@@ -32,6 +32,10 @@ private:
     void addSpreadRows(PropertyGroup *group);
     void addPlaceRows(PropertyGroup *group);
     PropertyRow *add(PropertyGroup *group, PropertyRow *row, std::function<bool()> isWanted);
+    Followed followedOf(const char *field);
+    PropertyRow *lengthRow(const QString &name, const char *objectName,
+                           const NumberEdit::Range &range, const char *field,
+                           std::function<double &(Load &)> in, PropertyGroup *group);
     /// Along an axis of the world.
     void addDirection(PropertyGroup *group, int axis, const QString &name, const char *objectName);
 

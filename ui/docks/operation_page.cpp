@@ -9,6 +9,7 @@
 #include "ui/base/theme.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/problem_box.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/exception_rows.h"
 #include "ui/properties/input_row.h"
 #include "ui/properties/parameter_row.h"
@@ -105,12 +106,17 @@ InputRow *OperationPage::inputRow(const OperationKind &kind, std::size_t index, 
 ParameterRow *OperationPage::parameterRow(const ParameterSpec &spec, QWidget *parent)
 {
     const std::string key = spec.key;
-    return new ParameterRow(
+    auto *row = new ParameterRow(
         spec,
         {[this, key](const ParameterValue &value) { preview(key, value); },
          [this, key](std::optional<ParameterValue> value) { commit(key, std::move(value)); },
          [this] { m_bench.session().cancelPreview(); }},
         parent);
+    row->setFollowed(followedAt(m_bench, [this, key] {
+        return std::optional(
+            DrivenPlace{.of = DrivenPlace::Of::Operation, .id = m_id.value, .field = key});
+    }));
+    return row;
 }
 
 OperationPage::Panel &OperationPage::panelOf(const OperationKind &kind)

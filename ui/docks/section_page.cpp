@@ -8,6 +8,7 @@
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/properties_header.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/figure_group.h"
 #include "ui/properties/instance_group.h"
 #include "ui/properties/joint_rows.h"
@@ -185,6 +186,13 @@ void SectionPage::addStockRows(PropertyGroup *group)
         },
         group);
     thickness->setThickness([this] { return commonThickness(); });
+    thickness->setFollowed(followedAt(m_bench, [this]() -> std::optional<DrivenPlace> {
+        const std::set<StockId> used = stocksOf(m_bench.session().model(), m_selected);
+        if (used.size() != 1)
+            return std::nullopt;
+        return DrivenPlace{
+            .of = DrivenPlace::Of::Stock, .id = used.begin()->value, .field = "thickness"};
+    }));
     thickness->setToolTip(tr("Thickness of the stock: all sections of this stock follow"));
     auto *mass = new TextRow(
         tr("Mass"), "sectionMass",

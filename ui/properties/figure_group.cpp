@@ -6,6 +6,7 @@
 #include "core/model/origin.h"
 #include "core/model/point_edits.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/number_edit.h"
 
 #include <QCoreApplication>
@@ -97,6 +98,12 @@ void FigureGroup::addKind()
     add(m_kind);
 }
 
+Followed FigureGroup::followedOf(int boundary, const char *field) const
+{
+    return followedAt(m_bench,
+                      selectedSectionPlace(m_bench, DrivenPlace::Of::Figure, field, boundary));
+}
+
 void FigureGroup::addNumber(int boundary, const FigureKind &kind, std::size_t index)
 {
     const FigureNumber &number = kind.numbers[index];
@@ -109,6 +116,7 @@ void FigureGroup::addNumber(int boundary, const FigureKind &kind, std::size_t in
     const auto write = [this, boundary, index](double value) {
         change(boundary, [index, value](Figure &figure) { figure.numbers[index] = value; });
     };
+    const Followed followed = followedOf(boundary, number.key);
     if (number.unit == FigureNumber::Unit::Length) {
         auto *row = new LengthRow(figureText(number.label), name.toLatin1().constData(),
                                   {number.least, number.most, 0.5, 1, 2}, read, write, this);
@@ -117,10 +125,12 @@ void FigureGroup::addNumber(int boundary, const FigureKind &kind, std::size_t in
             return of ? std::optional(m_bench.session().model().document.stockOf(*of).thickness)
                       : std::nullopt;
         });
+        row->setFollowed(followed);
         m_rows.add(row);
         return;
     }
     auto *edit = new NumberEdit({number.least, number.most, 1.0, 0, 0}, QString(), this);
+    edit->setFollowed(followed);
     connect(edit, &NumberEdit::numberEdited, this,
             [write](double value) { write(std::round(value)); });
     m_rows.add(new EditorRow(
@@ -141,6 +151,7 @@ void FigureGroup::addPlace(int boundary, int axis, const QString &name)
             change(boundary, [axis, value](Figure &figure) { figure.centre[axis] = value; });
         },
         this);
+    row->setFollowed(followedOf(boundary, axis == 0 ? "centreX" : "centreY"));
     row->setToolTip(FigureGroupTexts::tr("Its centre, in the coordinates of the section"));
     m_rows.add(row);
 }
@@ -151,6 +162,7 @@ void FigureGroup::addTurn(int boundary)
     connect(edit, &NumberEdit::numberEdited, this, [this, boundary](double value) {
         change(boundary, [value](Figure &figure) { figure.turn = radians(value); });
     });
+    edit->setFollowed(followedOf(boundary, "turn"));
     const QString id = QStringLiteral("figure%1.turn").arg(boundary);
     m_rows.add(new EditorRow(
         FigureGroupTexts::tr("Turned by"), id.toLatin1().constData(), edit,

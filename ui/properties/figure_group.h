@@ -26,6 +26,7 @@ private:
     void addKind();
     void rebuild(const Section &section);
     void addNumbers(int boundary, const FigureKind &kind);
+    Followed followedOf(int boundary, const char *field) const;
     void addNumber(int boundary, const FigureKind &kind, std::size_t index);
     void addPlace(int boundary, int axis, const QString &name);
     void addTurn(int boundary);

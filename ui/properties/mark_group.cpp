@@ -6,6 +6,7 @@
 #include "core/interaction/mark_tool.h"
 #include "core/model/origin.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 
 #include <QCoreApplication>
 #include <QPlainTextEdit>
@@ -99,12 +100,18 @@ void MarkGroup::addWords(std::size_t index)
     m_words = words;
 }
 
+Followed MarkGroup::followedOf(std::size_t index, const char *field) const
+{
+    return followedAt(m_bench, selectedSectionPlace(m_bench, DrivenPlace::Of::Lettering, field,
+                                                    static_cast<int>(index)));
+}
+
 void MarkGroup::addNumber(std::size_t index, const QString &name, const char *key,
                           const LengthEdit::Range &range, double (*read)(const Lettering &),
                           void (*write)(Lettering &, double))
 {
     const QString id = idOf(index, key);
-    m_rows.add(new LengthRow(
+    auto *row = new LengthRow(
         name, id.toLatin1().constData(), range,
         [this, index, read]() -> std::optional<double> {
             const Mark *now = mark(index);
@@ -113,7 +120,9 @@ void MarkGroup::addNumber(std::size_t index, const QString &name, const char *ke
         [this, index, write](double value) {
             change(index, [value, write](Lettering &lettering) { write(lettering, value); });
         },
-        this));
+        this);
+    row->setFollowed(followedOf(index, key));
+    m_rows.add(row);
 }
 
 void MarkGroup::addTurn(std::size_t index)
@@ -122,6 +131,7 @@ void MarkGroup::addTurn(std::size_t index)
     connect(edit, &NumberEdit::numberEdited, this, [this, index](double value) {
         change(index, [value](Lettering &lettering) { lettering.turn = radians(value); });
     });
+    edit->setFollowed(followedOf(index, "turn"));
     const QString id = idOf(index, "turn");
     m_rows.add(new EditorRow(
         MarkGroupTexts::tr("Turned by"), id.toLatin1().constData(), edit,

@@ -24,6 +24,7 @@ private:
     void rebuild(const Section &section);
     void addMark(std::size_t index, const Mark &mark);
     void addWords(std::size_t index);
+    Followed followedOf(std::size_t index, const char *field) const;
     void addNumber(std::size_t index, const QString &name, const char *key,
                    const LengthEdit::Range &range, double (*read)(const Lettering &),
                    void (*write)(Lettering &, double));

@@ -1,9 +1,11 @@
 #include "ui/properties/named_number_group.h"
 
+#include "core/interaction/value_editing.h"
 #include "core/model/named_numbers.h"
 #include "core/session/measure_commands.h"
 #include "ui/base/expression_text.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 
 #include <QCoreApplication>
 #include <QLineEdit>
@@ -20,6 +22,32 @@ struct NamedNumberGroupTexts
 };
 
 constexpr int kRefusalTime = 6000; // ms that a reason is said
+
+/// Of the kind that it comes to; a plain number stands for one of whatever field takes it.
+Value newValue(const QString &name, const QString &typed, const Document &document,
+               const Reading &reading)
+{
+    Value value;
+    value.name = name.toStdString();
+    value.typed = typed.toStdString();
+    value.reading = reading;
+    value.isShown = true;
+    const Understood<Formula> formula = Formula::read(value.typed, reading);
+    const Understood<Worth> worth =
+        formula ? formula->worth(EvaluatedValues::of(document.values).names())
+                : tl::unexpected(formula.error());
+    if (!worth)
+        return value;
+    if (worth->type == Worth::Type::Truth)
+        value.kind = ValueKind::Switch;
+    else if (worth->powers == kAnglePowers)
+        value.kind = ValueKind::Angle;
+    else if (worth->powers == kMassPowers)
+        value.kind = ValueKind::Mass;
+    else if (worth->powers.isNone() && worth->type == Worth::Type::Number)
+        value.kind = ValueKind::Number;
+    return value;
+}
 
 void refuse(QWidget *field, const QString &reason)
 {
@@ -102,10 +130,21 @@ void NamedNumberGroup::addNew()
             return;
         }
         const QString name = text.left(equals).trimmed();
-        if (findNumber(m_bench.session().committed().document, name.toStdString()))
+        const Document &document = m_bench.session().committed().document;
+        if (findNumber(document, name.toStdString())) {
             refuse(edit, NamedNumberGroupTexts::tr("There is already a value with this name."));
-        else if (set(name, text.mid(equals + 1), edit))
-            edit->clear();
+            return;
+        }
+        const QString why = tryEdit(
+            m_bench, valueAdded(document, newValue(name, text.mid(equals + 1).trimmed(), document,
+                                                   windowReading(edit->locale()))));
+        if (!why.isEmpty()) {
+            refuse(edit, why);
+            return;
+        }
+        edit->clear();
+        if (m_bench.session().committed().document.values.list.size() == 1)
+            m_bench.run(QStringLiteral("view.values")); // where they are adjusted
     });
     m_rows.add(new EditorRow(
         NamedNumberGroupTexts::tr("Add"), "number.new", edit, [] {}, this));
@@ -114,6 +153,7 @@ void NamedNumberGroup::addNew()
 void NamedNumberGroup::refresh()
 {
     QString names;
+    // Those of files from before there were values, beside which they go on.
     for (const NamedNumber &number : m_bench.session().model().document.numbers)
         names += QString::fromStdString(number.name) + u' ';
     if (m_rows.become(names + u'.')) {

@@ -104,6 +104,7 @@ void NumberEdit::setNumber(std::optional<double> number)
     words.setItalic(!number);
     lineEdit()->setFont(words);
     m_isSetting = false;
+    showMark();
 }
 
 /// What was typed and not entered.
@@ -188,6 +189,11 @@ QString NumberEdit::refusal() const
     const Expression typed = readWithUnit(text());
     if (typed.fault == Expression::Fault::Empty || showsValue(text()) || isSpecial(text()))
         return {}; // nothing was typed
+    return whyNot(typed);
+}
+
+QString NumberEdit::whyNot(const Expression &typed) const
+{
     if (!typed.value)
         return refusalText(typed);
     if (*typed.value >= minimum() && *typed.value <= maximum())
@@ -207,6 +213,8 @@ void NumberEdit::refuse(const QString &reason)
 
 void NumberEdit::keyPressEvent(QKeyEvent *event)
 {
+    if (takesKey(event))
+        return;
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const QString reason = isEnter ? refusal() : QString();
     if (!reason.isEmpty()) {

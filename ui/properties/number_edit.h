@@ -2,16 +2,24 @@
 // it is done: on Enter, when the focus leaves, or a moment after the last step of its arrows. What
 // it cannot take it refuses with a reason, beside it: on Enter it stays there to be mended, and
 // when the focus leaves the value before it comes back.
+//
+// Where its number can follow an expression (Followed), a small ƒ says that it does; with the focus
+// the expression lies over it to be changed, and a plain number ends it.
 #pragma once
 
 #include <QDoubleSpinBox> // first: moc stumbles over some standard headers
 #include <QTimer>
 
 #include "core/base/expression.h"
+#include "ui/properties/followed.h"
 
 #include <optional>
 
+class QLabel;
+
 namespace fff::ui {
+
+class FormulaLine;
 
 class NumberEdit : public QDoubleSpinBox
 {
@@ -37,6 +45,13 @@ public:
     /// alone while a person is typing in it.
     void setNumber(std::optional<double> number);
 
+    /// "=" begins an expression in it, and so does the name of a value.
+    void setFollowed(Followed followed);
+    bool follows() const;
+    bool isTypingFormula() const;
+    /// What stands over the number then.
+    QString formulaTyped() const;
+
     /// What stands in the field while it is typed, if it is a value of it.
     std::optional<double> typed() const;
     /// Why what stands in the field is no value of it; empty when it is one.
@@ -54,7 +69,11 @@ protected:
     QValidator::State validate(QString &text, int &position) const override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    bool event(QEvent *event) override;
+    bool eventFilter(QObject *object, QEvent *event) override;
 
     const Range &range() const { return m_range; }
     void setUnit(const QString &sign, double step);
@@ -67,7 +86,18 @@ private:
     void showNothing();
     bool isSpecial(const QString &text) const;
     Expression readWithUnit(const QString &text) const;
+    /// Of an expression that was read: why its number is none of the field; empty when it is.
+    QString whyNot(const Expression &typed) const;
     void refuse(const QString &reason);
+    // Of what it follows: number_edit_followed.cpp.
+    void openFormula(const QString &typed);
+    void showExpression();
+    bool takesKey(QKeyEvent *event);
+    void followNames(const QString &text);
+    bool isFormula(const QString &typed) const;
+    QString take(const QString &typed);
+    QString takeNumber(const Expression &number);
+    void showMark();
 
     Range m_range;
     QString m_suffix;              // the unit behind every number
@@ -75,6 +105,9 @@ private:
     std::optional<double> m_shown; // what the field held when last set from outside, or announced
     QTimer m_settled;
     bool m_isSetting = false;
+    Followed m_followed;
+    FormulaLine *m_formula = nullptr; // where it can follow
+    QLabel *m_mark = nullptr;         // ƒ
 };
 
 } // namespace fff::ui

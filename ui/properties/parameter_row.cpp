@@ -150,6 +150,12 @@ void ParameterRow::makeNumber()
                        [this] { m_reactions.settled(std::nullopt); });
 }
 
+void ParameterRow::setFollowed(Followed followed)
+{
+    if (m_field)
+        m_field->setFollowed(std::move(followed));
+}
+
 void ParameterRow::settle()
 {
     if (m_number)

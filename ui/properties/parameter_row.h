@@ -37,6 +37,8 @@ public:
     void refresh() override {}
     /// What waits to be announced is, now.
     void settle();
+    /// Of a number.
+    void setFollowed(Followed followed);
 
 private:
     void makeSwitch();

@@ -7,6 +7,7 @@
 #include "core/model/origin.h"
 #include "core/model/symmetric_section.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/number_edit.h"
 #include "ui/properties/triple_row.h"
 
@@ -125,6 +126,8 @@ void PlaceGroup::addAngle()
                                        m_bench.interaction().selection(), radians(value),
                                        m_bench.interaction().settings().takesChildren));
     });
+    edit->setFollowed(
+        followedAt(m_bench, selectedSectionPlace(m_bench, DrivenPlace::Of::Section, "angle")));
     m_angle = new EditorRow(
         PlaceGroupTexts::tr("Angle to it"), "sectionAngle", edit,
         [this, edit] {
@@ -147,6 +150,7 @@ void PlaceGroup::addAngle()
 void PlaceGroup::addPosition()
 {
     const std::array names{"positionX", "positionY", "positionZ"};
+    const char *const keys[] = {"x", "y", "z"};
     std::array<NumberEdit *, 3> edits{};
     for (int axis : {0, 1, 2}) {
         auto *edit = new LengthEdit(kPositionRange, this);
@@ -163,6 +167,8 @@ void PlaceGroup::addPosition()
                                               m_bench.interaction().settings().takesChildren));
             refresh(); // a refused value goes back to what it was
         });
+        edit->setFollowed(followedAt(
+            m_bench, selectedSectionPlace(m_bench, DrivenPlace::Of::Section, keys[axis])));
         edits[static_cast<std::size_t>(axis)] = edit;
     }
     add(new TripleRow(

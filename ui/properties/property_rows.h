@@ -86,6 +86,7 @@ public:
               std::function<std::optional<double>()> read, std::function<void(double)> write,
               QWidget *parent = nullptr);
     void refresh() override;
+    void setFollowed(Followed followed) { m_edit->setFollowed(std::move(followed)); }
     /// What "t" stands for in it.
     void setThickness(LengthEdit::Thickness thickness)
     {

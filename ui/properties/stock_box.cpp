@@ -3,6 +3,7 @@
 #include "ui/base/lengths.h"
 #include "ui/base/theme.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
 #include "ui/view/view_style.h"
@@ -49,6 +50,12 @@ StockBox::StockBox(Workbench &bench, QWidget *parent) : ChoiceBox(parent), m_ben
     const auto current = [this] {
         return std::array{m_bench.session().committed().document.currentStock};
     };
+    m_thickness->setFollowed(followedAt(m_bench, [this] {
+        return std::optional(
+            DrivenPlace{.of = DrivenPlace::Of::Stock,
+                        .id = m_bench.session().model().document.currentStock.value,
+                        .field = "thickness"});
+    }));
     connect(m_thickness, &ThicknessField::dragged, this,
             [this, current](double mm) { previewThickness(m_bench, current(), mm); });
     connect(m_thickness, &ThicknessField::settled, this,

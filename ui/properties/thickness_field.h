@@ -16,12 +16,14 @@ public:
 
     explicit ThicknessField(QWidget *parent = nullptr);
 
+    void setFollowed(Followed followed);
     /// Announces nothing. Nothing: several stocks that differ.
     void setThickness(std::optional<double> millimetres);
 
 private:
     ThicknessField(LengthEdit *edit, QWidget *parent);
 
+    LengthEdit *m_edit;
     std::optional<double> m_thickness; // as last set: "t" in the field
 };
 
