@@ -3246,6 +3246,26 @@
         <source>Write a test piece that tells which slits fit and how wide the machine cuts</source>
         <translation>Ein Teststück schreiben, das zeigt, welche Schlitze passen und wie breit die Maschine schneidet</translation>
     </message>
+    <message>
+        <source>Go to the values</source>
+        <translation>Zu den Werten</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Adjust the values that numbers of the model are made of</source>
+        <translation>Die Werte einstellen, aus denen Zahlen des Modells entstehen</translation>
+    </message>
+    <message>
+        <source>New value</source>
+        <translation>Neuer Wert</translation>
+    </message>
+    <message>
+        <source>A number with a name, which number fields take</source>
+        <translation>Eine Zahl mit einem Namen, den Zahlenfelder annehmen</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -9483,6 +9503,17 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::DrivenField</name>
+    <message>
+        <source>Only one number at a time can follow a value.</source>
+        <translation>Immer nur eine Zahl auf einmal kann einem Wert folgen.</translation>
+    </message>
+    <message>
+        <source>This number cannot follow a value.</source>
+        <translation>Diese Zahl kann keinem Wert folgen.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::ExceptionRows</name>
     <message>
         <source>None. Click one section to leave it out or to detach it.</source>
@@ -14124,6 +14155,144 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>The backup could not be opened: %1.</source>
         <translation>Das Gesicherte konnte nicht geöffnet werden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ValueDetails</name>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Whole number</source>
+        <translation>Ganze Zahl</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Ja oder nein</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>small</source>
+        <translation>klein</translation>
+    </message>
+    <message>
+        <source>large</source>
+        <translation>groß</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>small | large</source>
+        <comment>an example of choices</comment>
+        <translation>klein | groß</translation>
+    </message>
+    <message>
+        <source>Made of</source>
+        <translation>Ergibt sich aus</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>what it is for</source>
+        <translation>wofür er da ist</translation>
+    </message>
+    <message>
+        <source>This cannot be read as what is needed here.</source>
+        <translation>Das lässt sich nicht als das lesen, was hier gebraucht wird.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>What is made of it becomes plain numbers</source>
+        <translation>Was aus ihm entsteht, wird zu einfachen Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ValueEditor</name>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ValueRow</name>
+    <message>
+        <source>Name of the value</source>
+        <translation>Name des Werts</translation>
+    </message>
+    <message>
+        <source>Kind, range and note</source>
+        <translation>Art, Bereich und Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ValuesDock</name>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
+        <translation>Ein Wert hat einen Namen, den Zahlenfelder annehmen, auch in Rechnungen wie = 2*spalt.</translation>
+    </message>
+    <message>
+        <source>New value</source>
+        <translation>Neuer Wert</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <extracomment>the name of a new value, one word of letters</extracomment>
+        <translation>wert</translation>
     </message>
 </context>
 <context>

@@ -101,6 +101,10 @@ target_sources(fff_ui PRIVATE
     docks/templates_dock.cpp
     docks/checks_dock_links.cpp
     docks/trace_preview.cpp
+    docks/value_details.cpp
+    docks/value_editor.cpp
+    docks/value_row.cpp
+    docks/values_dock.cpp
     files/coupon_export.cpp
     files/document_files.cpp
     files/clipboard_picture.cpp

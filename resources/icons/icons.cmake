@@ -128,6 +128,7 @@ set(icon_names
     trash
     undo
     unknown
+    value
     view_back
     view_bottom
     view_front

@@ -30,11 +30,13 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/dialogs/tst_export_files
     ui/dialogs/tst_export_looks
     ui/dialogs/tst_sheet_paths
+    ui/docks/tst_followed_fields
     ui/docks/tst_movement_rows
     ui/docks/tst_operations_docks
     ui/docks/tst_property_pages
     ui/docks/tst_stage_failures
     ui/docks/tst_trying_out
+    ui/docks/tst_values_dock
     ui/docks/tst_weight_docks
     ui/files/tst_format_filters
     ui/files/tst_progress

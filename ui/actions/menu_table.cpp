@@ -65,8 +65,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection",
          kSearchedMenu},
         {QT_TR_NOOP("&View"),
-         "view.fitSelection view.previous view.shadow view.hide view.properties view.nextPane "
-         "view.previousPane",
+         "view.fitSelection view.previous view.shadow view.hide view.properties view.values "
+         "view.newValue view.nextPane view.previousPane",
          kSearchedMenu},
         {QT_TR_NOOP("&Section"),
          "section.addCircle section.addEllipse section.addRectangle section.addPolygon "

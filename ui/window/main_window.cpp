@@ -22,6 +22,7 @@
 #include "ui/docks/physics_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/docks/templates_dock.h"
+#include "ui/docks/values_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/files/file_drop.h"
 #include "ui/files/recent_menu.h"
@@ -190,6 +191,7 @@ void MainWindow::makeDocks()
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_physics = new PhysicsDock(*m_bench, this);
     m_sheets = new SheetsDock(*m_bench, this);
+    m_values = new ValuesDock(*m_bench, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_viewChips = new ViewChips(*m_bench, m_view, Badges::kBelow);
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
@@ -207,6 +209,7 @@ void MainWindow::makeDocks()
     // The order is that of the tabs in a narrow window.
     m_layout->add(m_properties, "settings", WindowLayout::Place::Right);
     m_layout->add(m_physics, "weight", WindowLayout::Place::Right);
+    m_layout->add(m_values, "value", WindowLayout::Place::Right, false);
     m_layout->add(m_outline, "section", WindowLayout::Place::Left);
     m_layout->add(m_checks, "check", WindowLayout::Place::LeftBelow);
     m_layout->add(m_history, "clock", WindowLayout::Place::Left);
@@ -417,6 +420,7 @@ void MainWindow::refreshTheme()
     m_checks->refreshColours();
     m_physics->refreshColours();
     m_sheets->refreshColours();
+    m_values->refreshColours();
     m_templates->refreshColours();
     m_badges->refreshColours();
     m_viewChips->refreshColours();

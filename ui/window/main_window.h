@@ -36,6 +36,7 @@ class StepsExport;
 class StepsView;
 class StockEditor;
 class UnsavedWork;
+class ValuesDock;
 class Viewport;
 class WindowLayout;
 class Workbench;
@@ -109,6 +110,7 @@ private:
     PhysicsDock *m_physics = nullptr;
     PropertiesDock *m_properties = nullptr;
     SheetsDock *m_sheets = nullptr;
+    ValuesDock *m_values = nullptr;
     Badges *m_badges = nullptr;
     ViewChips *m_viewChips = nullptr;
     CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand

@@ -10,6 +10,7 @@
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/library_dock.h"
 #include "ui/docks/properties_dock.h"
+#include "ui/docks/values_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/settings/settings.h"
 #include "ui/sheets/sheets_dock.h"
@@ -94,6 +95,10 @@ constexpr CommandWords kWords[] = {
                          "cuts")},
     {"fabricate.sheets", FFF_TEXT("Command", "S&heets"), FFF_TEXT("Command", "Sheets"), "",
      "stocks", FFF_TEXT("Command", "Show the parts on their sheets, as they will be cut"), true},
+    {"view.values", FFF_TEXT("Command", "Go to the values"), FFF_TEXT("Command", "Values"), "",
+     "value", FFF_TEXT("Command", "Adjust the values that numbers of the model are made of")},
+    {"view.newValue", FFF_TEXT("Command", "New value"), FFF_TEXT("Command", "New value"), "",
+     "plus", FFF_TEXT("Command", "A number with a name, which number fields take")},
     {"edit.find", FFF_TEXT("Command", "&Find a command…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
      "search", FFF_TEXT("Command", "Type to find anything that the program can do")},
     {"help.firstSteps", FFF_TEXT("Command", "First ste&ps"), FFF_TEXT("Command", "First steps"),
@@ -210,6 +215,11 @@ void MainWindow::addCommands()
                 m_layout->show(m_sheets);
         },
         {}, [this] { return m_sheets && m_sheets->isVisible(); });
+    add("view.values", [this] { m_layout->show(m_values); });
+    add("view.newValue", [this] {
+        m_layout->show(m_values);
+        m_values->addNew();
+    });
     commands.offer(kWords);
 }
 

@@ -1,0 +1,177 @@
+#include "ui/docks/values_dock.h"
+
+#include "core/interaction/value_editing.h"
+#include "core/operations/value_dependents.h"
+#include "core/session/message_text.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
+#include "ui/docks/dock_title.h"
+#include "ui/docks/value_row.h"
+#include "ui/properties/driven_field.h"
+#include "ui/settings/settings.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kValuesMargin = 12, kBelowRows = 8; // px
+
+} // namespace
+
+ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
+    : QDockWidget(tr("Values"), parent), m_bench(bench)
+{
+    dressDock(this, "valuesDock");
+    auto *area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setAccessibleName(tr("Values"));
+    auto *page = new QWidget(area);
+    m_empty = new QLabel(
+        tr("A value has a name that number fields take, also in sums such as = 2*gap."), page);
+    m_empty->setWordWrap(true);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_problems = new QLabel(page);
+    m_problems->setObjectName(QStringLiteral("valuesNotFollowing"));
+    m_problems->setWordWrap(true);
+    m_problems->setTextFormat(Qt::PlainText);
+    m_add = new QPushButton(themedIcon(QStringLiteral("plus")), tr("New value"), page);
+    m_add->setObjectName(QStringLiteral("valueAdd"));
+    m_add->setAutoDefault(false);
+    connect(m_add, &QPushButton::clicked, this, &ValuesDock::addNew);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(kValuesMargin, kBelowRows, kValuesMargin, kValuesMargin);
+    column->setSpacing(kBelowRows);
+    column->addWidget(m_empty);
+    m_column = new QVBoxLayout;
+    m_column->setSpacing(2);
+    column->addLayout(m_column);
+    column->addWidget(m_problems);
+    column->addWidget(m_add);
+    column->addStretch(1);
+    area->setWidget(page);
+    setWidget(area);
+    connect(&bench.session(), &Session::modelChanged, this, &ValuesDock::refresh);
+    connect(&settings(), &Settings::unitChanged, this, &ValuesDock::refresh);
+    refresh();
+}
+
+void ValuesDock::addNew()
+{
+    const Document &document = m_bench.session().committed().document;
+    Value value;
+    //: the name of a new value, one word of letters
+    value.name = freeValueName(document.values, tr("value").toStdString());
+    value.kind = ValueKind::Length;
+    value.typed = "100 mm";
+    value.isShown = true;
+    show();
+    if (!tryEdit(m_bench, valueAdded(document, std::move(value))).isEmpty())
+        return;
+    refresh();
+    if (!m_rows.empty())
+        m_rows.back()->beginNaming();
+}
+
+/// Rows that are there stay, with what is typed in them and what is unfolded.
+void ValuesDock::makeRows()
+{
+    const std::vector<ValuePointer> &list = m_bench.session().model().document.values.list;
+    const bool isSame = std::equal(m_rows.begin(), m_rows.end(), list.begin(), list.end(),
+                                   [](const ValueRow *row, const ValuePointer &known) {
+                                       return row->value() == known->value.id;
+                                   });
+    if (isSame)
+        return;
+    std::vector<ValueRow *> before = std::move(m_rows);
+    m_rows.clear();
+    for (const ValuePointer &known : list) {
+        const ValueId id = known->value.id;
+        const auto found = std::find_if(before.begin(), before.end(), [id](const ValueRow *row) {
+            return row && row->value() == id;
+        });
+        ValueRow *row = found == before.end() ? nullptr : std::exchange(*found, nullptr);
+        if (!row) {
+            row = new ValueRow(m_bench, id, widget());
+            row->setObjectName(QStringLiteral("valueRow"));
+            connect(row, &ValueRow::hovered, this, [this, id](bool isOver) { light(id, isOver); });
+        }
+        m_column->removeWidget(row);
+        m_column->addWidget(row);
+        row->refresh();
+        dress(row);
+        row->show();
+        m_rows.push_back(row);
+    }
+    for (ValueRow *row : before) {
+        if (!row)
+            continue;
+        light(row->value(), false);
+        row->hide();
+        row->deleteLater(); // it may be the one who asks
+    }
+}
+
+QString ValuesDock::notFollowing() const
+{
+    QStringList lines;
+    for (const DrivingError &error : m_bench.session().model().evaluation.drivingErrors)
+        lines += messageText(error.sentence, unitsInUse());
+    return lines.join(u'\n');
+}
+
+void ValuesDock::refresh()
+{
+    if (!isVisible())
+        return;
+    makeRows();
+    for (ValueRow *row : m_rows)
+        row->refresh();
+    m_empty->setVisible(m_rows.empty());
+    const QString problems = notFollowing();
+    m_problems->setVisible(!problems.isEmpty());
+    m_problems->setText(problems);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, theme().problem);
+    m_problems->setPalette(colours);
+}
+
+void ValuesDock::light(ValueId value, bool isOver)
+{
+    if (!isOver && m_lit != value)
+        return;
+    m_lit = isOver ? value : ValueId();
+    m_bench.setOutlined(isOver ? dependents(m_bench.session().model(), value)
+                               : std::vector<SectionRef>());
+}
+
+/// It is not kept up to date while nobody sees it.
+void ValuesDock::showEvent(QShowEvent *event)
+{
+    QDockWidget::showEvent(event);
+    refresh();
+}
+
+void ValuesDock::hideEvent(QHideEvent *event)
+{
+    light(m_lit, false);
+    QDockWidget::hideEvent(event);
+}
+
+void ValuesDock::refreshColours()
+{
+    refresh();
+}
+
+} // namespace fff::ui

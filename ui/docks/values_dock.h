@@ -1,0 +1,52 @@
+// The values of the design, to be adjusted: a row each, in the order in which they were made.
+// Pointing at one lights the sections that follow it.
+#pragma once
+
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/values/values.h"
+
+#include <QString>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace fff::ui {
+
+class ValueRow;
+class Workbench;
+
+class ValuesDock : public QDockWidget
+{
+    Q_OBJECT
+public:
+    ValuesDock(Workbench &bench, QWidget *parent = nullptr);
+
+    /// In the colours of the theme.
+    void refreshColours();
+    /// Another value, whose name is to be typed next.
+    void addNew();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    void refresh();
+    void makeRows();
+    void light(ValueId value, bool isOver);
+    QString notFollowing() const;
+
+    Workbench &m_bench;
+    QPushButton *m_add = nullptr;
+    QLabel *m_empty = nullptr;
+    QLabel *m_problems = nullptr; // of numbers that do not follow
+    QVBoxLayout *m_column = nullptr;
+    std::vector<ValueRow *> m_rows;
+    ValueId m_lit;
+};
+
+} // namespace fff::ui
