@@ -7,22 +7,49 @@
 #include "core/model/changes.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 namespace fff {
 
 namespace {
 
+/// Ways that differ by less are one way, mm.
+constexpr double kSameWay = 1e-6;
+/// Radians.
+constexpr double kOneDegree = std::numbers::pi / 180.0;
+
+/// So many of a kind, and the name of one of these.
+struct Counted
+{
+    int count = 0;
+    Named one;
+    void add(Named name)
+    {
+        ++count;
+        one = std::move(name);
+    }
+};
+
 struct Difference
 {
-    int turned = 0;                                  // joints whose slits open to the other side
-    int made = 0, gone = 0, moved = 0, reshaped = 0; // sections
-    Named one;                                       // of these, where there is one
-    double way = 0.0;                                // mm, by which one was moved
-    int morePieces = 0;                              // sections that are cut into more pieces
-    int shifted = 0;                                 // joints whose slits meet elsewhere
+    int turned = 0;                             // joints whose slits open to the other side
+    Counted made, gone, moved, swung, reshaped; // sections; swung: they lie at another angle
+    Vec3 way = Vec3::Zero();                    // mm, by which the last of these was moved
+    bool isOneWay = true;                       // and all others of them, too
+    double angle = 0.0;                         // radians, by which one was swung
+    int morePieces = 0;                         // sections that are cut into more pieces
+    int shifted = 0;                            // joints whose slits meet elsewhere
 };
+
+/// How far one frame is turned from the other, radians.
+double angleBetween(const Frame &a, const Frame &b)
+{
+    const double trace = a.x.dot(b.x) + a.y.dot(b.y) + a.normal().dot(b.normal());
+    return std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
+}
 
 /// To which side a section's first slit for its mate opens, in the world.
 std::optional<Vec3> mouthOf(const Analysis &analysis, const Joint &joint)
@@ -50,25 +77,31 @@ Difference differenceOf(const Analysis &before, const Analysis &after)
     Difference difference;
     for (const SectionRef &ref : changedSections(before.model, after.model)) {
         const int was = before.model.indexOf(ref), is = after.model.indexOf(ref);
+        const Named name = nameOf(after.model, ref);
         if (was < 0) {
-            ++difference.made;
-            difference.one = nameOf(after.model, ref);
+            difference.made.add(name);
             continue;
         }
-        difference.one = nameOf(before.model, ref);
         const Section &old = *before.model.section(static_cast<std::size_t>(was));
         const Section &now = *after.model.section(static_cast<std::size_t>(is));
-        if (old.shape != now.shape)
-            ++difference.reshaped;
-        else if (!(old.frame == now.frame))
-            ++difference.moved;
-        difference.way = (now.frame.origin - old.frame.origin).norm();
+        const double angle = angleBetween(old.frame, now.frame);
+        if (old.shape != now.shape) {
+            difference.reshaped.add(name);
+        } else if (angle > kPracticallyParallel) {
+            difference.swung.add(name);
+            difference.angle = angle;
+        } else if (!(old.frame == now.frame)) {
+            const Vec3 way = now.frame.origin - old.frame.origin;
+            difference.isOneWay = difference.isOneWay && (difference.moved.count == 0 ||
+                                                          (way - difference.way).norm() < kSameWay);
+            difference.moved.add(name);
+            difference.way = way;
+        }
     }
     for (std::size_t i = 0; i < before.model.sectionCount(); ++i) {
         const int is = after.model.indexOf(before.model.ref(i));
         if (is < 0) {
-            ++difference.gone;
-            difference.one = nameOf(before.model, before.model.ref(i));
+            difference.gone.add(nameOf(before.model, before.model.ref(i)));
         } else if (after.bodies.countOf(is) > before.bodies.countOf(static_cast<int>(i)))
             ++difference.morePieces;
     }
@@ -85,16 +118,10 @@ Difference differenceOf(const Analysis &before, const Analysis &after)
         else if (was && is && std::abs(was->norm() - is->norm()) > kEqualEnds)
             ++difference.shifted;
     }
-    if (difference.moved + difference.reshaped > 0 || thickened(before, after))
+    if (difference.moved.count + difference.swung.count + difference.reshaped.count > 0 ||
+        thickened(before, after))
         difference.shifted = 0; // slits follow these
     return difference;
-}
-
-int problemsIn(std::span<const Finding> found)
-{
-    return static_cast<int>(std::count_if(found.begin(), found.end(), [](const Finding &finding) {
-        return finding.severity >= Severity::Warning;
-    }));
 }
 
 /// What is said of whether it holds; null where nothing is.
@@ -106,18 +133,87 @@ const Finding *heldIn(std::span<const Finding> found)
     return held == found.end() ? nullptr : &*held;
 }
 
-/// What nothing like it was said of the same sections before; what holds is told by itself.
-std::vector<const Finding *> newIn(std::span<const Finding> after, std::span<const Finding> before)
+bool isProblem(const Finding &finding)
 {
-    std::vector<const Finding *> found;
+    return finding.severity >= Severity::Warning;
+}
+
+/// What became of what was said.
+struct Outcome
+{
+    int solved = 0;                     // problems that are none any more
+    std::vector<const Finding *> added; // what nothing like it was said before
+};
+
+/// The very same verdict first. A group that has another section then is said to be loose as it was
+/// before, so what is left is paired by its kind alone.
+Outcome outcomeOf(std::span<const Finding> before, std::span<const Finding> after)
+{
+    std::vector<const Finding *> gone, come;
+    for (const Finding &finding : before)
+        if (finding.severity >= Severity::Note)
+            gone.push_back(&finding);
     for (const Finding &finding : after)
-        if (finding.severity >= Severity::Note && !finding.details<Held>() &&
-            !isAmong(finding, before))
-            found.push_back(&finding);
-    return found;
+        if (finding.severity >= Severity::Note)
+            come.push_back(&finding);
+    const auto follow = [&](auto isSame, bool isWorse) {
+        std::erase_if(come, [&](const Finding *now) {
+            const auto was = std::find_if(gone.begin(), gone.end(), [&](const Finding *old) {
+                return isSame(*old, *now) &&
+                       (isWorse ? old->severity < now->severity : old->severity == now->severity);
+            });
+            if (was == gone.end())
+                return false;
+            gone.erase(was);
+            return !isWorse; // what is worse is not what was said before, nor was that solved
+        });
+    };
+    const auto isAlike = [](const Finding &old, const Finding &now) {
+        return old.kind == now.kind;
+    };
+    follow(isSameVerdict, false);
+    follow(isAlike, false);
+    follow(isAlike, true);
+    Outcome outcome;
+    outcome.solved = static_cast<int>(std::count_if(
+        gone.begin(), gone.end(), [](const Finding *old) { return isProblem(*old); }));
+    for (const Finding *now : come)
+        if (!now->details<Held>()) // it is told by itself
+            outcome.added.push_back(now);
+    return outcome;
+}
+
+/// Nearest to it: whole degrees are written rounded down.
+Quantity wholeAngleOf(double angle)
+{
+    return angleOf(angle < kOneDegree ? angle : angle + 0.5 * kOneDegree);
+}
+
+/// Of several: by how much all of them go up or down, where that is all.
+Message wordsOfMoved(const Difference &difference)
+{
+    const int count = difference.moved.count;
+    const Vec3 &way = difference.way;
+    const double height = way.y();
+    if (!difference.isOneWay || (way - height * Vec3::UnitY()).norm() > kSameWay)
+        return {FFF_TEXT_OF_MANY("Checks", "%n sections moved"), {}, count};
+    //: %1 is a length
+    return {height < 0.0 ? FFF_TEXT_OF_MANY("Checks", "%n sections moved down by %1")
+                         //: %1 is a length
+                         : FFF_TEXT_OF_MANY("Checks", "%n sections moved up by %1"),
+            {lengthOf(std::abs(height))},
+            count};
 }
 
 constexpr Text kListed{nullptr, "%1, %2"};
+
+Message listed(std::vector<Message> parts)
+{
+    Message all;
+    for (Message &part : parts)
+        all = all.isEmpty() ? std::move(part) : Message{kListed, {std::move(all), std::move(part)}};
+    return all;
+}
 
 } // namespace
 
@@ -126,11 +222,16 @@ Message changesBetween(const Analysis &before, const Analysis &after,
 {
     const Difference difference = differenceOf(before, after);
     std::vector<Message> parts;
-    const auto add = [&parts](int count, Message one, const Text &many) {
+    const auto addCounted = [&parts](int count, Message one, Message many) {
         if (count > 0)
-            parts.push_back(count == 1 ? std::move(one) : Message{many, {}, count});
+            parts.push_back(count == 1 ? std::move(one) : std::move(many));
     };
-    const Named &name = difference.one;
+    const auto add = [&addCounted](int count, Message one, const Text &many) {
+        addCounted(count, std::move(one), {many, {}, count});
+    };
+    const auto addSections = [&add](const Counted &counted, const Text &one, const Text &many) {
+        add(counted.count, {one, {counted.one}}, many);
+    };
     add(difference.turned, {FFF_TEXT("Checks", "1 joint flipped"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n joints flipped"));
     if (const Stock *stock = thickened(before, after))
@@ -139,39 +240,40 @@ Message changesBetween(const Analysis &before, const Analysis &after,
                          {Named{stock->name}, lengthOf(stock->thickness)}});
     add(difference.shifted, {FFF_TEXT("Checks", "The slits of 1 joint meet elsewhere"), {}},
         FFF_TEXT_OF_MANY("Checks", "The slits of %n joints meet elsewhere"));
-    add(difference.moved,
-        //: %1 is the name of a section, %2 a length
-        {FFF_TEXT("Checks", "%1 moved by %2"), {name, lengthOf(difference.way)}},
-        FFF_TEXT_OF_MANY("Checks", "%n sections moved"));
-    add(difference.reshaped,
-        //: %1 is the name of a section
-        {FFF_TEXT("Checks", "%1 reshaped"), {name}},
-        FFF_TEXT_OF_MANY("Checks", "%n sections reshaped"));
-    add(difference.made,
-        //: %1 is the name of a section
-        {FFF_TEXT("Checks", "%1 added"), {name}}, FFF_TEXT_OF_MANY("Checks", "%n sections added"));
-    add(difference.gone,
-        //: %1 is the name of a section
-        {FFF_TEXT("Checks", "%1 deleted"), {name}},
-        FFF_TEXT_OF_MANY("Checks", "%n sections deleted"));
+    addCounted(difference.moved.count,
+               //: %1 is the name of a section, %2 a length
+               {FFF_TEXT("Checks", "%1 moved by %2"),
+                {difference.moved.one, lengthOf(difference.way.norm())}},
+               wordsOfMoved(difference));
+    add(difference.swung.count,
+        //: %1 is the name of a section, %2 an angle
+        {FFF_TEXT("Checks", "%1 turned by %2"),
+         {difference.swung.one, wholeAngleOf(difference.angle)}},
+        FFF_TEXT_OF_MANY("Checks", "%n sections turned"));
+    //: %1 is the name of a section
+    addSections(difference.reshaped, FFF_TEXT("Checks", "%1 reshaped"),
+                FFF_TEXT_OF_MANY("Checks", "%n sections reshaped"));
+    //: %1 is the name of a section
+    addSections(difference.made, FFF_TEXT("Checks", "%1 added"),
+                FFF_TEXT_OF_MANY("Checks", "%n sections added"));
+    //: %1 is the name of a section
+    addSections(difference.gone, FFF_TEXT("Checks", "%1 deleted"),
+                FFF_TEXT_OF_MANY("Checks", "%n sections deleted"));
     if (difference.turned > 0 && difference.morePieces == 0)
         parts.push_back({FFF_TEXT("Checks", "nothing more is cut through"), {}});
-    add(problemsIn(foundBefore) - problemsIn(foundAfter),
-        {FFF_TEXT("Checks", "1 problem solved"), {}},
+    const Outcome outcome = outcomeOf(foundBefore, foundAfter);
+    add(outcome.solved, {FFF_TEXT("Checks", "1 problem solved"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n problems solved"));
     const Finding *was = heldIn(foundBefore), *is = heldIn(foundAfter);
     if (was && is && !was->is(*is->kind))
         //: after other things that change; %1 is a verdict such as "Holds 350 g"
         parts.push_back({FFF_TEXT("Checks", "then: %1"), {titleOf(*is)}});
-    if (const auto added = newIn(foundAfter, foundBefore); !added.empty())
+    if (!outcome.added.empty())
         //: after other things that change; %1 is a verdict such as "Too little material"
-        add(static_cast<int>(added.size()),
-            {FFF_TEXT("Checks", "new: %1"), {titleOf(*added.front())}},
+        add(static_cast<int>(outcome.added.size()),
+            {FFF_TEXT("Checks", "new: %1"), {titleOf(*outcome.added.front())}},
             FFF_TEXT_OF_MANY("Checks", "%n new remarks"));
-    Message all;
-    for (Message &part : parts)
-        all = all.isEmpty() ? std::move(part) : Message{kListed, {std::move(all), std::move(part)}};
-    return all;
+    return listed(std::move(parts));
 }
 
 } // namespace fff

@@ -7,6 +7,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace fff::test {
@@ -119,11 +120,24 @@ bool isLess(const Finding &finding, const std::vector<Finding> &before,
     return left == is.end() || known == was.end() || left->second < known->second;
 }
 
-int problemsIn(const std::vector<Finding> &found)
+/// Of each kind so many as are not there any more, whomever they are about: what is less grave than
+/// before was solved as far as that, what is graver was not.
+int solvedIn(const std::vector<Finding> &before, const std::vector<Finding> &after)
 {
-    return static_cast<int>(std::count_if(found.begin(), found.end(), [](const Finding &finding) {
-        return finding.severity >= Severity::Warning;
-    }));
+    std::map<const FindingKind *, std::array<int, 2>> was, is; // warnings and errors
+    for (const Finding &finding : before)
+        if (finding.severity >= Severity::Warning)
+            ++was[finding.kind][finding.severity == Severity::Error];
+    for (const Finding &finding : after)
+        if (finding.severity >= Severity::Warning)
+            ++is[finding.kind][finding.severity == Severity::Error];
+    int solved = 0;
+    for (const auto &[kind, counts] : was) {
+        const int moreErrors = std::max(0, is[kind][1] - counts[1]);
+        solved += std::max(0, counts[1] - is[kind][1]) +
+                  std::max(0, counts[0] - is[kind][0] - moreErrors);
+    }
+    return solved;
 }
 
 /// What is promised in numbers is counted in the documents themselves.
@@ -138,21 +152,27 @@ QString falseWordsOf(const Mend &mend, const Document &before, const Staged &was
         return count > 0 ? said.contains(words) ? QString() : words : says ? words : QString();
     };
     const Document &after = mend.edit->document;
-    int made = 0, gone = 0, moved = 0, reshaped = 0;
+    int made = 0, gone = 0, moved = 0, turned = 0, reshaped = 0;
     for (const SectionPointer &section : after.sections) {
         const Section *old = before.find(section->id);
         made += old == nullptr;
         reshaped += old && old->shape != section->shape;
-        moved += old && old->shape == section->shape && !(old->frame == section->frame);
+        if (!old || old->shape != section->shape || old->frame == section->frame)
+            continue;
+        const bool isTurned =
+            (old->frame.x - section->frame.x).norm() + (old->frame.y - section->frame.y).norm() >
+            0.01; // no unit
+        ++(isTurned ? turned : moved);
     }
     for (const SectionPointer &section : before.sections)
         gone += after.find(section->id) == nullptr;
     const QString wrong[] = {
-        claim(made, " added", " sections added"), claim(gone, " deleted", " sections deleted"),
+        claim(made, " added", " sections added"),
+        claim(gone, " deleted", " sections deleted"),
         claim(moved, " moved by ", " sections moved"),
+        claim(turned, " turned by ", " sections turned"),
         claim(reshaped, " reshaped", " sections reshaped"),
-        claim(std::max(0, problemsIn(was.found) - problemsIn(is.found)), "1 problem solved",
-              " problems solved")};
+        claim(solvedIn(was.found, is.found), "1 problem solved", " problems solved")};
     for (const QString &words : wrong)
         if (!words.isEmpty())
             return QStringLiteral("\"%1\" does not say \"%2\" as it is").arg(said, words);
