@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/interaction/contour_words.h"
 #include "core/interaction/facing.h"
+#include "core/interaction/pick.h"
 #include "core/interaction/section_view.h"
 #include "core/interaction/snapping.h"
 
@@ -51,17 +52,69 @@ sign::Region planeMark(const Frame &canvas, const GestureContext &context)
 
 DrawTool::DrawTool(CanvasChoice canvas) : m_canvas(std::move(canvas)) {}
 
+DrawTool::DrawTool(AskedCanvas asked) : m_asked(std::move(asked))
+{
+    m_canvas.command = m_asked->command;
+}
+
 DrawTool::~DrawTool() = default;
 
 GestureReply DrawTool::begin(GestureContext &context, double)
 {
-    m_before = context.camera;
     GestureReply reply;
+    if (isAsking())
+        return reply;
+    m_before = context.camera;
     reply.turnTo = cameraAtCanvas(m_canvas.target, context);
     return reply;
 }
 
+bool DrawTool::takes(const PointerEvent &press, GestureContext &context) const
+{
+    return !isAsking() ||
+           sectionUnder(context.model, context.camera.rayThrough(press.position, context.viewport),
+                        context.view)
+               .has_value();
+}
+
+/// It is selected, and drawn on with the same drag.
+GestureReply DrawTool::pickCanvas(const PointerEvent &press, GestureContext &context)
+{
+    GestureReply reply;
+    const std::optional<SectionRef> ref = sectionUnder(
+        context.model, context.camera.rayThrough(press.position, context.viewport), context.view);
+    if (!ref)
+        return reply;
+    tl::expected<CanvasChoice, Hint> canvas = m_asked->of(context.model, *ref);
+    if (!canvas) {
+        reply.note = canvas.error();
+        return reply;
+    }
+    m_canvas = *std::move(canvas);
+    m_asked.reset();
+    m_isPicking = true;
+    reply = draw(press, context);
+    reply.note.reset(); // on edge a click turns the view
+    reply.select = {{*ref}};
+    return reply;
+}
+
 GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context)
+{
+    if (isAsking())
+        return event.isPress() ? pickCanvas(event, context) : GestureReply();
+    if (m_isPicking && m_stroke &&
+        (event.position - m_press).norm() > context.settings.dragThreshold)
+        m_isPicking = false;
+    if (m_isPicking && event.type == PointerEvent::Type::Release) {
+        m_isPicking = false;
+        interrupt(context);
+        return begin(context, event.time);
+    }
+    return draw(event, context);
+}
+
+GestureReply DrawTool::draw(const PointerEvent &event, GestureContext &context)
 {
     if (event.isPress() &&
         !pointOnPlane(context.camera, context.viewport, m_canvas.target.canvas, event.position)) {
@@ -111,6 +164,8 @@ bool DrawTool::isClickOnGuide(const PointerEvent &release, const GestureContext 
 
 bool DrawTool::hasGuide() const
 {
+    if (isAsking())
+        return false;
     return m_stroke ? m_stroke->hasGuide() : !m_templates.isEmpty();
 }
 
@@ -144,6 +199,7 @@ void DrawTool::advance(double time, GestureContext &context)
 
 GestureReply DrawTool::cancel(GestureContext &context)
 {
+    m_isPicking = false;
     GestureReply reply;
     if (std::exchange(m_stroke, nullptr)) {
         context.overlay.drawn.clear();
@@ -156,6 +212,7 @@ GestureReply DrawTool::cancel(GestureContext &context)
 
 GestureReply DrawTool::interrupt(GestureContext &context)
 {
+    m_isPicking = false;
     if (std::exchange(m_stroke, nullptr))
         context.overlay.drawn.clear();
     return {};
@@ -187,6 +244,8 @@ GestureReply DrawTool::modelChanged(GestureContext &context)
 
 void DrawTool::mark(GestureContext &context, bool)
 {
+    if (isAsking())
+        return;
     const Vec3 &origin = m_canvas.target.canvas.origin;
     m_isOnEdge = std::abs(m_canvas.target.canvas.normal().dot(context.camera.towardsEye(
                      origin, context.viewport))) < std::sin(kMinDrawAngle);
@@ -218,6 +277,8 @@ GestureReply DrawTool::setNumbers(const std::vector<ToolNumber> &numbers, Gestur
 
 Hint DrawTool::hint() const
 {
+    if (isAsking())
+        return m_asked->prompt;
     if (m_stroke)
         return m_stroke->hint();
     if (m_isOnEdge)

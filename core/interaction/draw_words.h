@@ -17,5 +17,7 @@ inline constexpr Text kDrawNewContour =
     FFF_TEXT("Hint", "Draw the new contour of %1 in one go. <kbd>Esc</kbd> keeps the old one.");
 inline constexpr Text kDrawHole =
     FFF_TEXT("Hint", "Draw a hole in %1 in one go. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kDrawHoleOnAny =
+    FFF_TEXT("Hint", "Draw a hole: begin on the section that gets it. <kbd>Esc</kbd> cancels.");
 
 } // namespace fff::hints

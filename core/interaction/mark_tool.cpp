@@ -8,6 +8,7 @@
 #include "core/interaction/facing.h"
 #include "core/interaction/mark_editing.h"
 #include "core/interaction/mark_words.h"
+#include "core/interaction/pick.h"
 #include "core/interaction/section_editing.h"
 #include "core/interaction/section_view.h"
 #include "core/interaction/stroke_words.h"
@@ -40,10 +41,12 @@ GestureReply MarkTool::begin(GestureContext &context, double)
     const std::vector<SectionRef> &selected = context.selection.sections();
     if (selected.size() != 1 || !context.model.find(selected.front()))
         return {};
-    return take(selected.front(), context);
+    GestureReply reply = take(selected.front(), context);
+    if (m_section)
+        lookAt(context, reply);
+    return reply;
 }
 
-/// The view turns to look at the section's front, unless it faces that already.
 GestureReply MarkTool::take(const SectionRef &ref, GestureContext &context)
 {
     GestureReply reply;
@@ -55,39 +58,43 @@ GestureReply MarkTool::take(const SectionRef &ref, GestureContext &context)
     m_section = ref;
     m_name = section.name;
     m_canvas = section.frame;
-    m_before = context.camera;
     m_solo.begin(ref, context.view);
     reply.select = {{ref}};
+    return reply;
+}
+
+bool MarkTool::isFromBehind(const GestureContext &context) const
+{
+    const Section &section = *context.model.find(*m_section);
     const Vec3 middle = section.frame.toWorld(section.shape->bounds().center());
-    const bool isFromBehind =
-        section.frame.normal().dot(context.camera.towardsEye(middle, context.viewport)) < 0.0;
-    if (isFromBehind)
+    return section.frame.normal().dot(context.camera.towardsEye(middle, context.viewport)) < 0.0;
+}
+
+/// The view turns to look at the section's front, unless it faces that already.
+void MarkTool::lookAt(const GestureContext &context, GestureReply &reply)
+{
+    const Section &section = *context.model.find(*m_section);
+    m_before = context.camera;
+    if (isFromBehind(context))
         reply.note = Hint(hints::kEngravesFront, {Named{m_name}});
     else if (isSeenFaced(section, context.camera, context.viewport))
-        return reply;
+        return;
+    const Vec3 middle = section.frame.toWorld(section.shape->bounds().center());
     Eigen::Quaterniond facing =
         facingOrientation(context.camera.orientation, section.frame.normal());
     if ((facing * Vec3::UnitZ()).dot(section.frame.normal()) < 0.0)
         facing = Eigen::AngleAxisd(std::numbers::pi, facing * Vec3::UnitY()) * facing;
     const Camera camera = turned(context.camera, facing, middle, context.viewport);
     reply.turnTo = pinned(camera, middle, 0.5 * context.viewport, context.viewport);
-    return reply;
-}
-
-std::optional<SectionRef> MarkTool::sectionAt(const Vec2 &position,
-                                              const GestureContext &context) const
-{
-    const std::vector<Hit> hits =
-        pick(context.model, context.camera.rayThrough(position, context.viewport), context.view);
-    if (hits.empty())
-        return std::nullopt;
-    return context.model.ref(static_cast<std::size_t>(hits.front().section));
 }
 
 bool MarkTool::takes(const PointerEvent &press, GestureContext &context) const
 {
     if (!m_section)
-        return sectionAt(press.position, context).has_value();
+        return sectionUnder(context.model,
+                            context.camera.rayThrough(press.position, context.viewport),
+                            context.view)
+            .has_value();
     return true;
 }
 
@@ -95,21 +102,36 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
 {
     GestureReply reply;
     if (event.isPress() && !m_section) {
-        if (const std::optional<SectionRef> ref = sectionAt(event.position, context))
-            return take(*ref, context);
-        return reply;
+        if (const std::optional<SectionRef> ref = sectionUnder(
+                context.model, context.camera.rayThrough(event.position, context.viewport),
+                context.view))
+            reply = take(*ref, context);
+        if (!m_section)
+            return reply;
+        m_isPicking = true;
     }
     const std::optional<Vec2> at =
         pointOnPlane(context.camera, context.viewport, m_canvas, event.position);
     if (event.isPress()) {
-        if (!at) {
+        if (!at && !m_isPicking)
             reply.note = Hint::refusal(hints::kCanvasOnEdge);
+        if (!at)
             return reply;
-        }
         m_press = event.position;
         m_isDrag = false;
         const double scale = context.camera.scaleAt(m_canvas.toWorld(*at), context.viewport);
         m_drawn.emplace(*at, FitOptions{.tolerance = context.settings.fitTolerance * scale});
+        return reply;
+    }
+    // Nobody draws on the side that is not engraved.
+    if (m_isPicking && m_press && !isFromBehind(context) &&
+        (event.position - *m_press).norm() > context.settings.dragThreshold)
+        m_isPicking = false;
+    if (m_isPicking) {
+        if (event.type == PointerEvent::Type::Release) {
+            interrupt(context);
+            lookAt(context, reply);
+        }
         return reply;
     }
     if (!m_press)
@@ -222,6 +244,7 @@ GestureReply MarkTool::interrupt(GestureContext &)
 {
     m_press.reset();
     m_drawn.reset();
+    m_isPicking = false;
     return {};
 }
 

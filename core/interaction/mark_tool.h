@@ -3,7 +3,8 @@
 // machine sees, also when it looks from behind, and says so then. It stays in the hand until it is
 // laid down.
 //
-//     no section   the next click picks one
+//     no section   a click picks one, which the view turns to; a drag draws on the one that it
+//                  begins on, as that is seen
 //     section      a drag draws a line as the hand goes; with Shift a straight one, in one of the
 //                  eight directions. It may begin and end beside the section, so that it goes to
 //                  the very edge. Each is one step of the history. Other sections stand back.
@@ -36,7 +37,8 @@ public:
 
 private:
     GestureReply take(const SectionRef &section, GestureContext &context);
-    std::optional<SectionRef> sectionAt(const Vec2 &position, const GestureContext &context) const;
+    bool isFromBehind(const GestureContext &context) const;
+    void lookAt(const GestureContext &context, GestureReply &reply);
     MarkPointer drawn(const GestureContext &context, bool isWhole) const;
     GestureReply release(GestureContext &context);
     bool isOnSection(const Mark &mark, const GestureContext &context) const;
@@ -48,7 +50,8 @@ private:
     std::optional<Camera> m_before; // the turn
     std::optional<Vec2> m_press;    // px
     bool m_isDrag = false, m_isStraight = false;
-    struct Drawn // canvas coordinates, mm
+    bool m_isPicking = false; // with the press that is held, until it is a drag
+    struct Drawn              // canvas coordinates, mm
     {
         Drawn(const Vec2 &from, const FitOptions &fit);
         void add(const Vec2 &p);

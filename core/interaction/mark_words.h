@@ -6,7 +6,7 @@
 namespace fff::hints {
 
 inline constexpr Text kPickMarked =
-    FFF_TEXT("Hint", "Click the section to engrave. <kbd>Esc</kbd> cancels.");
+    FFF_TEXT("Hint", "Draw on the section to engrave, or click it. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kDrawMark = FFF_TEXT(
     "Hint", "Drag to draw a line on %1; <kbd>Shift</kbd> keeps it straight. Click to place text.");
 inline constexpr Text kDrawingMark =

@@ -132,6 +132,13 @@ std::vector<Hit> pick(const Model &model, const Ray &ray, const ViewState &view)
     return hits;
 }
 
+std::optional<SectionRef> sectionUnder(const Model &model, const Ray &ray, const ViewState &view)
+{
+    const std::vector<Hit> hits = pick(model, ray, view);
+    return hits.empty() ? std::nullopt
+                        : std::optional(model.ref(static_cast<std::size_t>(hits.front().section)));
+}
+
 std::optional<Vec2> pointOnPlane(const Camera &camera, const Vec2 &viewport, const Frame &plane,
                                  const Vec2 &screen)
 {

@@ -23,6 +23,10 @@ struct Hit
 /// Hidden sections and ghosts are looked through. O(sections in the ray's way).
 std::vector<Hit> pick(const Model &model, const Ray &ray, const ViewState &view = {});
 
+/// The nearest of these; none where there is none.
+std::optional<SectionRef> sectionUnder(const Model &model, const Ray &ray,
+                                       const ViewState &view = {});
+
 /// Where the ray through a screen point meets a plane, in its frame. None where the plane is seen
 /// on edge (below kMinDrawAngle) or the place is behind the eye.
 std::optional<Vec2> pointOnPlane(const Camera &camera, const Vec2 &viewport, const Frame &plane,

@@ -71,36 +71,61 @@ void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
         interaction.pickUp(std::make_unique<DrawTool>(std::move(canvas)), time);
 }
 
+/// What is drawn on or instead of a section; of an image on the drawn one, which it follows.
+struct OfSection
+{
+    const char *id; // of the command
+    ContourTarget (*target)(const Section &);
+    Text prompt;
+
+    tl::expected<CanvasChoice, Hint> canvas(const Model &model, const SectionRef &ref) const
+    {
+        const auto origin = originOf(model, ref);
+        if (!origin)
+            return tl::unexpected(madeByOperation(model, ref).value());
+        const Section &section = *origin->section;
+        if (section.isLocked)
+            return tl::unexpected(Hint::refusal(hints::kLocked, {Named{section.name}}));
+        return CanvasChoice{target(section), id, prompt, section.name};
+    }
+};
+
 void registerDrawing(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto add = [&](const char *id, ContourTarget (*target)(const Section &), Text prompt) {
-        registry.add(
-            id, {[&session, &interaction, id, target, prompt](const CommandParameters &,
-                                                              double time) -> Result<void> {
-                     // Of an image the drawn section, which it follows.
-                     const Section *selected = selectedSection(session, interaction);
-                     const auto origin =
-                         selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
-                     const Section *section = origin ? origin->section : nullptr;
-                     if (section && section->isLocked) {
-                         interaction.layDown(time);
-                         interaction.say(Hint::refusal(hints::kLocked, {Named{section->name}}),
-                                         time);
-                     } else if (section)
-                         drawOn(interaction, {target(*section), id, prompt, section->name}, time);
-                     else
-                         interaction.layDown(time);
-                     if (!section && selected)
-                         interaction.say(
-                             madeByOperation(session.committed(), interaction.selection().front())
-                                 .value(),
-                             time);
-                     return {};
-                 },
-                 needsOneSection(interaction, id), inHand(interaction, id)});
+    constexpr OfSection redraw{"section.redraw", &ContourTarget::redraw, hints::kDrawNewContour};
+    constexpr OfSection hole{"section.addHole", &ContourTarget::hole, hints::kDrawHole};
+    const auto draw = [&session, &interaction](const OfSection &what, double time) {
+        const Section *selected = selectedSection(session, interaction);
+        if (!selected)
+            return interaction.layDown(time);
+        tl::expected<CanvasChoice, Hint> canvas = what.canvas(session.committed(), selected->ref());
+        if (canvas)
+            return drawOn(interaction, *std::move(canvas), time);
+        interaction.layDown(time);
+        interaction.say(canvas.error(), time);
     };
-    add("section.redraw", &ContourTarget::redraw, hints::kDrawNewContour);
-    add("section.addHole", &ContourTarget::hole, hints::kDrawHole);
+    registry.add(redraw.id,
+                 {[draw, redraw](const CommandParameters &, double time) -> Result<void> {
+                      draw(redraw, time);
+                      return {};
+                  },
+                  needsOneSection(interaction, redraw.id), inHand(interaction, redraw.id)});
+    // With none selected it is the one that the first drag begins on.
+    registry.add(hole.id, {[&session, &interaction, draw, hole](const CommandParameters &,
+                                                                double time) -> Result<void> {
+                               if (selectedSection(session, interaction)) {
+                                   draw(hole, time);
+                                   return {};
+                               }
+                               const auto of = [hole](const Model &model, const SectionRef &ref) {
+                                   return hole.canvas(model, ref);
+                               };
+                               interaction.pickUp(std::make_unique<DrawTool>(AskedCanvas{
+                                                      hole.id, hints::kDrawHoleOnAny, of}),
+                                                  time);
+                               return {};
+                           },
+                           needsSections(session), inHand(interaction, hole.id)});
 }
 
 void registerPlanes(CommandRegistry &registry, Session &session, Interaction &interaction)

@@ -7,7 +7,8 @@
 
 namespace fff {
 
-/// section.redraw and section.addHole (of the selected section), section.planeGround,
+/// section.redraw (of the selected section), section.addHole (of the selected one, else of the one
+/// that the first drag begins on), section.planeGround,
 /// section.planeFront, section.planeSide, section.planeParallel (to the selected section; parameter
 /// "distance", mm along its normal), section.dropToGround, and the switches section.symmetry and
 /// section.ground, which take the parameter "on" as those of the view do; and those of

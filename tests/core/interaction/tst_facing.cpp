@@ -2,6 +2,7 @@
 // Rulers and shapes by numbers where whoever looks has them before their eyes.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/interaction/draw_words.h"
 #include "core/interaction/facing.h"
 #include "core/interaction/mark_words.h"
 #include "core/interaction/snapping.h"
@@ -56,6 +57,8 @@ class TestFacing : public QObject
 private Q_SLOTS:
     void holesAreDrawnAsTheSectionIsSeen_data();
     void holesAreDrawnAsTheSectionIsSeen();
+    void theFirstDragSaysWhatTheHoleIsIn();
+    void aClickPicksWhatTheHoleIsIn();
     void slitsTurnToTheNearerSideWhateverTheLean();
     void engravingIsOnTheFrontAndReadsRight_data();
     void engravingIsOnTheFrontAndReadsRight();
@@ -95,6 +98,53 @@ void TestFacing::holesAreDrawnAsTheSectionIsSeen()
         QCOMPARE(desk.steps(), 2);
         QCOMPARE(desk.sections().size(), std::size_t(1));
     }
+}
+
+// Wrong: who is told that O draws holes presses O, draws, and has a slit, or nothing.
+void TestFacing::theFirstDragSaysWhatTheHoleIsIn()
+{
+    for (const double turn : {0.0, 50.0, 140.0}) {
+        Desk desk;
+        desk.addPlate(-200.0);
+        addTurnedPlate(desk, turn);
+        desk.interaction.select({});
+        const Camera before = desk.interaction.camera();
+        desk.run("section.addHole");
+        QCOMPARE(desk.hint(), hints::kDrawHoleOnAny);
+        desk.drag({on(desk, -20, -20), on(desk, 20, -20), on(desk, 20, 20), on(desk, -20, 20),
+                   on(desk, -20, -20)});
+        QCOMPARE(desk.sections().back()->shape->holes().size(), std::size_t(1));
+        const Box2 hole = desk.sections().back()->shape->holes().front().bounds();
+        QVERIFY(hole.center().norm() < 5.0);
+        QVERIFY((hole.max - hole.min - Vec2(40, 40)).norm() < 10.0);
+        QCOMPARE(desk.interaction.selection(), std::vector{desk.sections().back()->ref()});
+        QVERIFY(turnedBy(before, desk.interaction.camera()) < 1e-6);
+        QVERIFY(!desk.interaction.tool());
+    }
+}
+
+// Wrong: a click beside any section, or on one, would end it.
+void TestFacing::aClickPicksWhatTheHoleIsIn()
+{
+    Desk desk;
+    addTurnedPlate(desk, 50.0);
+    desk.interaction.select({});
+    const Camera before = desk.interaction.camera();
+    desk.run("section.addHole");
+    desk.click(Vec2(5, 5));
+    QCOMPARE(desk.hint(), hints::kDrawHoleOnAny);
+    desk.click(on(desk, 0, 0));
+    desk.wait(2000.0);
+    QCOMPARE(desk.hint(), hints::kDrawHole);
+    QVERIFY(std::abs(turnedBy(before, desk.interaction.camera()) - 50.0) < 0.1);
+    desk.drag({on(desk, -20, -20), on(desk, 20, -20), on(desk, 20, 20), on(desk, -20, 20)});
+    QCOMPARE(desk.sections().back()->shape->holes().size(), std::size_t(1));
+    // Asked for again it is laid down.
+    desk.interaction.select({});
+    desk.run("section.addHole");
+    QVERIFY(desk.interaction.tool());
+    desk.run("section.addHole");
+    QVERIFY(!desk.interaction.tool());
 }
 
 /// The new section leans by −5° … 5° from upright: the turn is to the side that is nearer.

@@ -55,6 +55,8 @@ private Q_SLOTS:
     void besideTheSectionNothingIsLeft();
     void othersStandBack();
     void withoutASectionOneIsPicked();
+    void theFirstDragDrawsOnWhereItBegins();
+    void fromBehindTheFirstDragTurnsTheView();
     void lookedAtFromTheFront();
     void escGoesOneStepBack();
     void undoGivesTheVeryObjectBack();
@@ -138,6 +140,41 @@ void TestMarkTool::othersStandBack()
     QCOMPARE(desk.sections()[0]->marks.size(), std::size_t(1));
     desk.interaction.layDown(desk.time);
     QVERIFY(desk.interaction.view().isolated.empty());
+}
+
+// Wrong: a line was asked for, drawn, and only selected what it was drawn on.
+void TestMarkTool::theFirstDragDrawsOnWhereItBegins()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.mark");
+    const Camera before = desk.interaction.camera();
+    desk.drag({desk.plate(-40, 0), desk.plate(0, 20), desk.plate(40, 0)});
+    QCOMPARE(desk.sections().front()->marks.size(), std::size_t(1));
+    const CurvePath &line = desk.sections().front()->marks.front()->paths.front();
+    QVERIFY((line.points().front() - Vec2(-40, 0)).norm() < 0.5);
+    QVERIFY((line.points().back() - Vec2(40, 0)).norm() < 0.5);
+    QCOMPARE(desk.interaction.selection(), std::vector{desk.sections().front()->ref()});
+    QVERIFY(isSameCamera(before, desk.interaction.camera()));
+    QVERIFY(desk.interaction.tool());
+    desk.drag({desk.plate(-40, -20), desk.plate(40, -20)});
+    QCOMPARE(desk.sections().front()->marks.size(), std::size_t(2));
+}
+
+// Wrong: what is drawn on the back would lie on the front, where nobody sees it.
+void TestMarkTool::fromBehindTheFirstDragTurnsTheView()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("view.back");
+    desk.wait(2000.0);
+    desk.run("section.mark");
+    desk.drag({desk.plate(-40, 0), desk.plate(0, 20), desk.plate(40, 0)});
+    desk.wait(2000.0);
+    QVERIFY(desk.sections().front()->marks.empty());
+    QVERIFY(desk.interaction.camera().backward().dot(desk.sections().front()->frame.normal()) >
+            0.9);
+    QCOMPARE(desk.hint(), hints::kEngravesFront);
 }
 
 // Wrong: the tool would do nothing where nothing was selected before.
