@@ -17,7 +17,8 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
         if (m_press && m_press->isDrag)
             m_slit->show(context, signs);
         if (m_slit->state() == SlitTurn::State::Turn)
-            signs.add(cueAt(hints::kWait, m_event.position, context.camera, context.viewport));
+            signs.add(
+                cueAt(hints::kTurningNow, m_event.position, context.camera, context.viewport));
         return;
     }
     if (!m_canvas) {

@@ -140,6 +140,7 @@ struct Slit
     std::string section;                         // its name
     Text guide = {};                             // what it goes along; empty: nothing
     double clearance = 0.0;                      // mm that its words keep off it, besides
+    bool hasWords = true;                        // else its number is read elsewhere
     bool operator==(const Slit &) const = default;
 };
 /// A contour while it is drawn. Never equal: it is as long as the hand moves.

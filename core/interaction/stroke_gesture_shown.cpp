@@ -76,6 +76,7 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
             signs.add(sign::Capsule{SignRole::DeadZone, target().canvas, m_stroke.slitLength(),
                                     m_stroke.deadZoneRadius()});
         }
+        slit.hasWords = state != Stroke::State::Contour;
         if (m_guide && (state == Stroke::State::Slit || state == Stroke::State::Turn)) {
             slit.guide = nameOf(m_guide->kind);
             m_guides->show(*m_guide, context.camera, context.viewport, signs);
@@ -113,8 +114,8 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         }
     }
     if (state == Stroke::State::Turn || state == Stroke::State::DeadZone)
-        signs.add(cueAt(state == Stroke::State::Turn ? hints::kWait : hints::kGoOn, m_cursor,
-                        context.camera, context.viewport));
+        signs.add(cueAt(state == Stroke::State::Turn ? hints::kTurningNow : hints::kDrawOutline,
+                        m_cursor, context.camera, context.viewport));
     if (state == Stroke::State::Contour && m_stroke.contour().isApart)
         signs.add(cueAt(hints::kNotJoinedYet, m_cursor, context.camera, context.viewport));
     if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)

@@ -13,7 +13,8 @@ inline constexpr Text kLeaveGuided =
 inline constexpr Text kTurning =
     FFF_TEXT("Hint", "Turning to the new plane; wait until it stops, or draw on at once.");
 inline constexpr Text kLeaveDeadZone =
-    FFF_TEXT("Hint", "Leave the grey zone where the contour should start. Release here to cancel.");
+    FFF_TEXT("Hint", "Draw the outline: leave the grey zone where it should start. Release here to "
+                     "cancel.");
 inline constexpr Text kDrawContour =
     FFF_TEXT("Hint", "Draw the contour, release to close it. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kReleaseToMake =
@@ -37,8 +38,8 @@ inline constexpr Text kReleaseToMirrorFirst =
     FFF_TEXT("Hint", "<b>Release</b> to make the section, mirrored across the vertical. Hold "
                      "<kbd>Shift</kbd> to keep only this side.");
 // Beside the cursor, while the view turns and when it has turned.
-inline constexpr Text kWait = FFF_TEXT("Cue", "Wait");
-inline constexpr Text kGoOn = FFF_TEXT("Cue", "Go on");
+inline constexpr Text kTurningNow = FFF_TEXT("Cue", "Turning…");
+inline constexpr Text kDrawOutline = FFF_TEXT("Cue", "Draw the outline");
 // Where it may follow a template.
 //: %1 is the name of a template
 inline constexpr Text kFollowGuide =

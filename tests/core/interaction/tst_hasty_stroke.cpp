@@ -392,13 +392,13 @@ void TestHastyStroke::theCueSaysWaitAndGoOn()
         return std::get<Message>(label->words).text;
     };
     drawSlit(desk, Vec2(1, 0));
-    QVERIFY(cue() == hints::kWait);
+    QVERIFY(cue() == hints::kTurningNow);
     desk.moveTo(desk.cursor + Vec2(20, 3));
-    QVERIFY(cue() == hints::kWait);
+    QVERIFY(cue() == hints::kTurningNow);
     desk.wait(kTurnTime);
-    QVERIFY(cue() == hints::kGoOn);
+    QVERIFY(cue() == hints::kDrawOutline);
     desk.moveTo(desk.cursor + Vec2(10, 3));
-    QVERIFY(cue() == hints::kGoOn);
+    QVERIFY(cue() == hints::kDrawOutline);
     desk.moveTo(desk.cursor + Vec2(100, 60));
     QVERIFY(!cue());
 }
