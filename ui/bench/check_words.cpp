@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace fff::ui {
@@ -17,6 +19,23 @@ struct CheckTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::CheckWords)
 };
+
+int rankOf(Severity severity)
+{
+    switch (severity) {
+    case Severity::Error:
+        return 0;
+    case Severity::Warning:
+        return 1;
+    case Severity::Unknown:
+        return 2;
+    case Severity::Good:
+        return 3;
+    case Severity::Note:
+        return 4;
+    }
+    return 4; // not reached: every severity is above
+}
 
 } // namespace
 
@@ -84,6 +103,16 @@ QColor checkColour(Severity severity)
         return theme().problem;
     }
     return {};
+}
+
+bool comesBefore(const Finding &a, const Finding &b)
+{
+    const auto rank = [](const Finding &finding) {
+        return std::pair(
+            rankOf(finding.severity),
+            std::find(kBadgeSubjects.begin(), kBadgeSubjects.end(), finding.subject()));
+    };
+    return rank(a) < rank(b);
 }
 
 QString severityWord(Severity severity)

@@ -6,6 +6,8 @@
 #include <QColor>
 #include <QString>
 
+#include <array>
+
 namespace fff::ui {
 
 struct CheckWords
@@ -26,6 +28,13 @@ QString mendText(const Mend &mend, const Finding &finding, const Model &model);
 /// Name of an icon; the outlines differ, not the colours alone.
 QString checkGlyph(Severity severity);
 QColor checkColour(Severity severity);
+/// Whether it comes before another one, in badges and rows alike: what is wrong first, then what is
+/// not known, what is good, and what is only worth a remark; of the same weight by subject.
+bool comesBefore(const Finding &a, const Finding &b);
+/// That have a badge, in that order.
+inline constexpr std::array kBadgeSubjects{Subject::Stability, Subject::Connection,
+                                           Subject::Assembly,  Subject::Strength,
+                                           Subject::Joints,    Subject::Size};
 /// "Problem", "Warning", "Good", "Unknown": what the glyph says to those who hear it.
 QString severityWord(Severity severity);
 

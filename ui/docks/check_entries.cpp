@@ -61,24 +61,6 @@ std::optional<Vec3> placeOf(const Finding &finding, const Model &model)
     return box.isEmpty() ? std::nullopt : std::optional(Vec3(box.center()));
 }
 
-/// What is wrong first, then what is not known, what is good, and what is only worth a remark.
-int rankOf(Severity severity)
-{
-    switch (severity) {
-    case Severity::Error:
-        return 0;
-    case Severity::Warning:
-        return 1;
-    case Severity::Unknown:
-        return 2;
-    case Severity::Good:
-        return 3;
-    case Severity::Note:
-        return 4;
-    }
-    return 4; // not reached: every severity is above
-}
-
 } // namespace
 
 bool isProblem(const Finding &finding)
@@ -107,7 +89,7 @@ std::vector<CheckEntry> checkEntries(const CheckList &list, const std::vector<Ch
         if (!row.finding.is(kMass)) // good or bad it is neither: the status bar has it
             entries.push_back({std::move(row)});
     std::stable_sort(entries.begin(), entries.end(), [](const CheckEntry &a, const CheckEntry &b) {
-        return rankOf(a.row.finding.severity) < rankOf(b.row.finding.severity);
+        return comesBefore(a.row.finding, b.row.finding);
     });
     int number = 0;
     for (CheckEntry &entry : entries) {

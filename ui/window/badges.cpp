@@ -21,8 +21,6 @@ namespace fff::ui {
 namespace {
 
 constexpr int kMargin = 10, kGap = 6; // px
-constexpr Subject kSubjects[] = {Subject::Stability, Subject::Connection, Subject::Assembly,
-                                 Subject::Strength,  Subject::Joints,     Subject::Size};
 
 /// They judge what is not made yet.
 bool isDrawing(const Workbench &bench)
@@ -53,7 +51,7 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kGap);
-    for (const Subject subject : kSubjects) {
+    for (const Subject subject : kBadgeSubjects) {
         auto *badge = new Badge(this);
         badge->setObjectName(QStringLiteral("badge%1").arg(m_badges.size()));
         badge->hide();
@@ -94,8 +92,8 @@ void Badges::refresh()
     // Of what is only tried: which of them it would change is what it is looked at for.
     const std::vector<Finding> *tried = m_bench.findingsTried();
     for (std::size_t i = 0; i < m_badges.size(); ++i) {
-        const Finding *now = shownOf(m_list.all(), kSubjects[i]);
-        const Finding *shown = tried ? shownOf(*tried, kSubjects[i]) : now;
+        const Finding *now = shownOf(m_list.all(), kBadgeSubjects[i]);
+        const Finding *shown = tried ? shownOf(*tried, kBadgeSubjects[i]) : now;
         if (shown) {
             const CheckWords words =
                 checkWords(*shown, tried ? m_bench.tried()->model : m_list.model());
@@ -108,14 +106,12 @@ void Badges::refresh()
         }
         m_badges[i]->setVisible(shown != nullptr);
     }
-    // What is only tried, or being drawn, changes in place: a row that leaps cannot be read.
-    if (!tried && !m_isDrawing)
-        order();
+    order();
     fold();
 }
 
-/// By weight: what is wrong, then what is not known, then what is good; of the same weight by
-/// subject.
+/// As the rows of the checks are (comesBefore), also of what is only tried or being drawn: a
+/// verdict has one place. Badges are made in the order of the subjects.
 void Badges::order()
 {
     std::vector<Badge *> ordered = m_badges;

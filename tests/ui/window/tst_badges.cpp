@@ -8,6 +8,8 @@
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/bench/check_words.h"
+#include "ui/docks/check_entries.h"
 #include "ui/docks/check_row.h"
 #include "ui/window/badge.h"
 
@@ -68,6 +70,7 @@ private Q_SLOTS:
     }
 
     void theyStandByWeight();
+    void theyStandAsTheRowsDo();
     void aDoubtedVerdictShowsItsDoubt();
     void headingsAreShort();
     void rowsAreThereWithTheBadges();
@@ -127,6 +130,31 @@ void TestBadges::theyStandByWeight()
     const std::vector<const Badge *> seen = row();
     QVERIFY(std::any_of(seen.begin(), seen.end(),
                         [](const Badge *badge) { return badge->severity() == Severity::Unknown; }));
+}
+
+// Wrong: what is second among the badges is first among the rows.
+void TestBadges::theyStandAsTheRowsDo()
+{
+    for (const Document &document :
+         {crossesApart(), eggCrate(2, 2), roundabout(eggCrate(2, 2), 0),
+          moveAll(crossesApart(), {0, 5, 0}), moveAll(eggCrate(2, 2), {0, 5, 0})}) {
+        show(document);
+        std::vector<QString> rows, badges;
+        std::vector<Subject> known;
+        for (const CheckEntry &entry : checkEntries(checks(), {})) {
+            const Finding &finding = entry.finding();
+            if (finding.severity == Severity::Note ||
+                std::find(known.begin(), known.end(), finding.subject()) != known.end())
+                continue;
+            known.push_back(finding.subject());
+            rows.push_back(verdictText(finding));
+        }
+        for (const Badge *badge : row())
+            badges.push_back(badge->accessibleName());
+        QCOMPARE(badges.size(), rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            QVERIFY2(badges[i].contains(rows[i]), qPrintable(badges[i] + u'/' + rows[i]));
+    }
 }
 
 // Wrong: everything that would stand is selected, as if it were all of it that is in doubt.
