@@ -31,7 +31,7 @@ void Interaction::takeOffer(double time)
     d->document = taken.document;
     d->host.commit(taken.step, std::move(taken.document));
     d->hover();
-    d->update();
+    say(taken.done, time);
 }
 
 bool Interaction::hasGuide() const

@@ -11,6 +11,12 @@ inline constexpr Text kOfferEllipse = FFF_TEXT("Hint", "B: make it an ellipse");
 inline constexpr Text kOfferStraight = FFF_TEXT("Hint", "B: make its lines straight");
 inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: square the corners");
 inline constexpr Text kOfferMoveIn = FFF_TEXT("Hint", "B: move its slit in from the edge");
+// When it was taken.
+inline constexpr Text kIsCircle = FFF_TEXT("Hint", "Made it a circle.");
+inline constexpr Text kIsEllipse = FFF_TEXT("Hint", "Made it an ellipse.");
+inline constexpr Text kIsStraight = FFF_TEXT("Hint", "Lines straightened.");
+inline constexpr Text kIsSquare = FFF_TEXT("Hint", "Corners squared.");
+inline constexpr Text kWasMovedIn = FFF_TEXT("Hint", "Moved in from the edge.");
 // While it is drawn.
 inline constexpr Text kOneWall = FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing");
 inline constexpr Text kOneWallOffer =

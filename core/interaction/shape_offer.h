@@ -15,10 +15,11 @@ struct ShapeOffer
     Step step;         // of taking it
     Document document; // that it makes
     Signs signs;       // the chip
+    Hint done;         // what is said when it was taken
 };
 
-/// The chip of an offer, below what was drawn.
-sign::Label offerChip(Text words, const Contour &drawn, const Frame &canvas);
+/// What an offered section looks like, with the chip below it.
+Signs offerSigns(Text words, const DrawnContour &made);
 
 /// Of a contour as it was drawn, before the ground cut it. What is offered is judged like a drawn
 /// one: none where that would be refused, or where nothing better was meant.

@@ -417,8 +417,8 @@ void StrokeGesture::offerMovedIn(const GestureContext &context)
         return;
     m_offer = ShapeOffer();
     m_offer->step = {steps::kMoveIn, {Named{moved->name}}};
-    m_offer->signs.add(sign::Curve{SignRole::Offer, m_movedIn->canvas, *contour.contour});
-    m_offer->signs.add(offerChip(hints::kOfferMoveIn, *contour.contour, m_movedIn->canvas));
+    m_offer->signs = offerSigns(hints::kOfferMoveIn, *moved);
+    m_offer->done = Hint::undoable(hints::kWasMovedIn);
     m_offer->document = std::move(moved->document);
 }
 

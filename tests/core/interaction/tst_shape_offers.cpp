@@ -1,6 +1,7 @@
 #include "tests/core/interaction/desk.h"
 
 #include "core/geometry/mirrored_boundaries.h"
+#include "core/interaction/offer_words.h"
 #include "core/model/figures.h"
 #include "core/model/symmetric_section.h"
 #include "tests/test_program.h"
@@ -62,6 +63,7 @@ void TestShapeOffers::circleIsTakenInOneStep()
     const Contour drawn = desk.sections()[0]->shape->contour();
     const int steps = desk.steps();
     desk.run("section.takeOffer");
+    QCOMPARE(desk.hint(), hints::kIsCircle);
     QVERIFY(!desk.interaction.hasOffer() && desk.interaction.overlay().offered.isEmpty());
     QCOMPARE(desk.sections().size(), std::size_t(1));
     QCOMPARE(desk.steps(), steps + 1);
@@ -133,6 +135,10 @@ void TestShapeOffers::groundStillCuts()
     QCOMPARE(desk.sections().size(), std::size_t(1));
     if (!desk.interaction.hasOffer())
         QFAIL("a circle is offered as one wherever it lies");
+    const sign::Curve *shown = desk.interaction.overlay().offered.find<sign::Curve>();
+    QVERIFY(shown);
+    for (const Vec2 &p : shown->contour.points())
+        QVERIFY(shown->frame.toWorld(p).y() > -0.01); // it is what comes, not what was meant
     desk.run("section.takeOffer");
     const Section &section = *desk.sections()[0];
     double lowest = 1e9;
