@@ -65,7 +65,7 @@ StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *pa
     setTabOrder(m_list, m_fields);
 }
 
-void StockEditor::open(StockId stock)
+void StockEditor::open(StockId stock, const QString &field)
 {
     const Document &document = m_bench.session().committed().document;
     m_list->choose(document.find(stock) ? stock : document.currentStock);
@@ -83,6 +83,8 @@ void StockEditor::open(StockId stock)
     show();
     raise();
     activateWindow();
+    if (!field.isEmpty())
+        m_fields->editNumber(field);
 }
 
 void StockEditor::refresh()

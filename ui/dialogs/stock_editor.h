@@ -19,9 +19,9 @@ class StockEditor : public QDialog
 public:
     StockEditor(Workbench &bench, const ActionSet &actions, QWidget *parent);
 
-    /// Shows it with this stock, or with that of the next section. The first time beside the model,
-    /// later where it was left.
-    void open(StockId stock);
+    /// Shows it with this stock, or with that of the next section; the number in the field of this
+    /// name is in sight and selected. The first time beside the model, later where it was left.
+    void open(StockId stock, const QString &field = {});
     /// In the colours of the theme.
     void refresh();
 

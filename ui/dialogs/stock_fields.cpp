@@ -17,6 +17,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -309,6 +310,22 @@ void StockFields::editName()
 {
     m_name->setFocus();
     m_name->selectAll();
+}
+
+void StockFields::editNumber(const QString &field)
+{
+    auto *number = findChild<NumberEdit *>(field);
+    if (!number)
+        return;
+    for (QWidget *above = parentWidget(); above; above = above->parentWidget()) {
+        if (auto *area = qobject_cast<QScrollArea *>(above)) {
+            layout()->activate();
+            area->ensureWidgetVisible(number);
+            break;
+        }
+    }
+    number->setFocus(Qt::OtherFocusReason);
+    number->selectAll();
 }
 
 void StockFields::refresh()

@@ -29,6 +29,8 @@ public:
 
     void setStock(fff::StockId stock);
     void editName();
+    /// The number in the field of this name: in sight, and selected.
+    void editNumber(const QString &field);
     void refresh();
 
 private:

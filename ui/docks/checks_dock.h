@@ -43,8 +43,8 @@ public:
 Q_SIGNALS:
     /// For the status bar, with marks.
     void said(const QString &sentence);
-    /// The stock editor, with this one.
-    void stockWanted(fff::StockId stock);
+    /// The stock editor, with this one, and the field of this name in the hand; empty: none.
+    void stockWanted(fff::StockId stock, const QString &field);
     void stepsWanted();
     /// A link was clicked, and the hand goes on in the view.
     void viewWanted();
@@ -71,7 +71,7 @@ private:
     bool act(int row, int index);
     /// The cursor is on it: the view shows what it would make.
     void tryOut(int row, int index, bool isOver);
-    void showStock(const Finding &finding);
+    void showStock(const Finding &finding, const ActionKind &action);
     void carryOut(const FindingAction &action, const Finding &finding);
     void carryOutWish();
     std::optional<Finding> focusedFinding() const;

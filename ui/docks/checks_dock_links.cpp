@@ -19,12 +19,16 @@
 
 namespace fff::ui {
 
-/// The stock of what it is about.
-void ChecksDock::showStock(const Finding &finding)
+/// The stock of what it is about, with the number that the link speaks of.
+void ChecksDock::showStock(const Finding &finding, const ActionKind &action)
 {
+    const char *field = &action == &kWidenSlits    ? "stockClearance"
+                        : &action == &kChooseSheet ? "stockSheetWidth"
+                                                   : "stockTensile";
     const Model &model = m_bench.session().model();
     const int at = finding.sections.empty() ? -1 : model.indexOf(finding.sections.front());
-    Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
+    Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock,
+                       QLatin1String(field));
 }
 
 /// Whether it is an edit.
@@ -41,7 +45,7 @@ bool ChecksDock::act(int row, int index)
         Q_EMIT stepsWanted();
     } else if (action.kind == &kChooseSheet || action.kind == &kWidenSlits ||
                action.kind == &kEnterStrength) {
-        showStock(finding);
+        showStock(finding, *action.kind);
     } else if (action.kind == &kTryAgain) {
         m_list.scheduler().tryAgain(finding.details<StageFailure>()->stage);
     } else if (action.kind == &kShowReport) {

@@ -239,16 +239,17 @@ void MainWindow::makeDocks()
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
     connect(m_checks, &ChecksDock::chosenChanged, m_properties, &PropertiesDock::setChosen);
-    connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
+    connect(m_properties, &PropertiesDock::stockWanted, this,
+            [this](StockId stock) { showStocks(stock); });
 }
 
-void MainWindow::showStocks(StockId stock)
+void MainWindow::showStocks(StockId stock, const QString &field)
 {
     if (!m_stocks) {
         m_stocks = new StockEditor(*m_bench, *m_actions, this);
         m_stocks->refresh();
     }
-    m_stocks->open(stock);
+    m_stocks->open(stock, field);
 }
 
 void MainWindow::showHelp(const QString &page)

@@ -92,7 +92,7 @@ private:
     void run(const QString &id);
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.
-    void showStocks(StockId stock);
+    void showStocks(StockId stock, const QString &field = {});
     void showHelp(const QString &page);
     void refreshTheme();
 

@@ -17,8 +17,11 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCursor>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QHoverEvent>
+#include <QLineEdit>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -47,6 +50,7 @@ private Q_SLOTS:
     void aClickTooEarlyIsNotLost();
     void aRestingCursorTriesNothing();
     void whatIsWrongComesFirstAndRemarksLast();
+    void aLinkToANumberSelectsIt();
 
 private:
     Session &session() { return m_window->bench().session(); }
@@ -124,8 +128,22 @@ void TestTryingOut::badgesShowWhatWouldBe()
         return all;
     };
     const auto before = verdicts();
+    const auto isByWeight = [this] { // from the left
+        QCoreApplication::processEvents();
+        std::vector<const Badge *> row;
+        for (const Badge *badge : m_window->findChildren<Badge *>())
+            if (!badge->isHidden())
+                row.push_back(badge);
+        std::sort(row.begin(), row.end(),
+                  [](const Badge *a, const Badge *b) { return a->x() < b->x(); });
+        return std::is_sorted(row.begin(), row.end(), [](const Badge *a, const Badge *b) {
+            return a->severity() > b->severity();
+        });
+    };
+    QTRY_VERIFY(isByWeight());
     hover(true);
     const auto tried = verdicts();
+    QTRY_VERIFY(isByWeight()); // with what is wrong then before what is not known
     hover(false);
     QVERIFY(verdicts() == before);
     const auto errorsIn = [](const auto &all) {
@@ -232,6 +250,33 @@ void TestTryingOut::whatIsWrongComesFirstAndRemarksLast()
     QVERIFY(firstOf(Severity::Good) < firstOf(Severity::Note) && firstOf(Severity::Note) < count);
     QVERIFY(std::all_of(severities.begin() + firstOf(Severity::Note), severities.end(),
                         [](Severity severity) { return severity == Severity::Note; }));
+}
+
+// Wrong: "Set the clearance" opens a window at its top, and the clearance is below its lower edge.
+void TestTryingOut::aLinkToANumberSelectsIt()
+{
+    Document document = withSection(withSection(newDocument(), plateOf(-50, 0, 50, 60), front()),
+                                    plateOf(-50, 0, 50, 60), side());
+    Stock stock = *document.stocks.front();
+    stock.clearance = 0.9;
+    session().reset(*setStock(document, stock));
+    finish();
+    const auto wanted = [this]() -> QAbstractButton * {
+        for (auto *button : m_window->findChildren<QAbstractButton *>())
+            if (button->text() == QStringLiteral("Set the clearance") && button->isVisible())
+                return button;
+        return nullptr;
+    };
+    QTRY_VERIFY(wanted());
+    wanted()->click();
+    auto *editor = m_window->findChild<QDialog *>(QStringLiteral("stockEditor"));
+    QVERIFY(editor && editor->isVisible());
+    auto *field = editor->findChild<QDoubleSpinBox *>(QStringLiteral("stockClearance"));
+    QVERIFY(field);
+    QCOMPARE(editor->focusWidget(), static_cast<QWidget *>(field));
+    QVERIFY(field->findChild<QLineEdit *>()->hasSelectedText());
+    QTRY_COMPARE(field->visibleRegion().boundingRect(), field->rect());
+    editor->close();
 }
 
 FFF_TEST_WITH(TestTryingOut, [](int argc, char *argv[]) {
