@@ -239,7 +239,10 @@ void Interaction::Private::markPoints()
     const bool isInWay = gesture && !gesture->isOfView() && !gesture->marksPoints();
     if (const auto ref =
             marksSelection() && !isInWay ? sectionWithPoints(sight(), selection) : std::nullopt)
-        overlay.selected.put(sign::Points{*ref, points.points(), hoveredPoint});
+        overlay.selected.put(sign::Points{
+            *ref, points.points(),
+            // While it is dragged it is among those that are selected, under a number of its own.
+            gesture && gesture->marksPoints() ? std::nullopt : hoveredPoint});
 }
 
 void Interaction::Private::clearOverlay()

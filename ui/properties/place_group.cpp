@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/interaction/contour_target.h"
 #include "core/interaction/section_editing.h"
 #include "core/model/moving.h"
 #include "core/model/origin.h"
@@ -34,6 +35,31 @@ constexpr NumberEdit::Range kNormalRange{-1.0, 1.0, 0.05, 0, 3};
 /// What is shown of numbers is no finer: values that differ by less are one.
 constexpr double kSameNumber = 1e-7;
 
+bool isSameLine(const MirrorAxis &a, const MirrorAxis &b)
+{
+    return std::abs(cross(a.direction, b.direction)) < kPracticallyParallel &&
+           std::abs(a.height(b.point)) < kEqualEnds;
+}
+
+/// Across what it is symmetric; empty where it is not, or where that has no name.
+QString wordsOfSymmetry(const Section &section, const Document &document)
+{
+    const MirrorAxis *axis = symmetryOf(section);
+    if (!axis)
+        return {};
+    const auto slit = slitAxis(ContourTarget::redraw(section), document);
+    if (slit && isSameLine(*slit, *axis))
+        return PlaceGroupTexts::tr("across its slit");
+    if (isLevel(section.frame))
+        return {};
+    const Vec2 up = Vec2(section.frame.x.y(), section.frame.y.y()).normalized();
+    if (std::abs(cross(up, axis->direction)) < kPracticallyParallel)
+        return PlaceGroupTexts::tr("across the vertical");
+    return std::abs(up.dot(axis->direction)) < kPracticallyParallel
+               ? PlaceGroupTexts::tr("across the horizontal")
+               : QString();
+}
+
 } // namespace
 
 PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
@@ -51,10 +77,20 @@ PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
     addSwitch(PlaceGroupTexts::tr("Locked"), "sectionLocked",
               PlaceGroupTexts::tr("It stays as it is, unless the section that it is on moves"),
               "section.lock", [](const Section &section) { return section.isLocked; });
-    addSwitch(PlaceGroupTexts::tr("Symmetric"), "sectionSymmetric",
-              PlaceGroupTexts::tr("Changes to points of one half apply to the other"),
-              "section.symmetric",
-              [](const Section &section) { return symmetryOf(section) != nullptr; });
+    addSwitch(
+        PlaceGroupTexts::tr("Symmetric"), "sectionSymmetric",
+        PlaceGroupTexts::tr("Changes to points of one half apply to the other"),
+        "section.symmetric", [](const Section &section) { return symmetryOf(section) != nullptr; },
+        [this] { return symmetryWords(); });
+}
+
+/// Across what; empty where that is not one thing, or nothing that has a name.
+QString PlaceGroup::symmetryWords() const
+{
+    QStringList words;
+    for (const Section *section : sections())
+        words += wordsOfSymmetry(*section, m_bench.session().model().document);
+    return words.count(words.value(0)) == words.size() ? words.value(0) : QString();
 }
 
 void PlaceGroup::add(PropertyRow *row)
@@ -212,7 +248,8 @@ void PlaceGroup::addNormal()
 }
 
 void PlaceGroup::addSwitch(const QString &name, const char *objectName, const QString &tip,
-                           const char *command, std::function<bool(const Section &)> read)
+                           const char *command, std::function<bool(const Section &)> read,
+                           std::function<QString()> words)
 {
     auto *box = new QCheckBox(this);
     const QString id = QLatin1String(command);
@@ -222,7 +259,9 @@ void PlaceGroup::addSwitch(const QString &name, const char *objectName, const QS
     const auto isEnabled = [this, id] { return m_bench.commands().isEnabled(id.toStdString()); };
     auto *row = new EditorRow(
         name, objectName, box,
-        [this, box, isEnabled, read = std::move(read)] {
+        [this, box, isEnabled, read = std::move(read), words = std::move(words)] {
+            if (words)
+                box->setText(words());
             const std::vector<const Section *> all = sections();
             const auto on = std::count_if(all.begin(), all.end(),
                                           [&read](const Section *s) { return read(*s); });

@@ -6,6 +6,8 @@
 
 #include "core/model/section.h"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 class QToolButton;
@@ -28,7 +30,9 @@ private:
     void addPosition();
     void addNormal();
     void addSwitch(const QString &name, const char *objectName, const QString &tip,
-                   const char *command, std::function<bool(const Section &)> read);
+                   const char *command, std::function<bool(const Section &)> read,
+                   std::function<QString()> words = {});
+    QString symmetryWords() const;
     void add(PropertyRow *row);
 
     /// The drawn sections behind what is selected, as they are shown.

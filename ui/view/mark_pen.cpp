@@ -9,11 +9,11 @@ namespace fff::ui {
 
 namespace {
 
-constexpr double kChipHeight = 22.0, kChipPadding = 16.0; // px
-constexpr double kWordsHeight = 16.0;                     // px, of bare ones
+constexpr double kChipHeight = 22.0, kChipPadding = 16.0;     // px
+constexpr double kWordsHeight = 16.0;                         // px, of bare ones
 constexpr double kButtonHeight = 28.0, kButtonPadding = 24.0; // px
-constexpr double kManyLines = 1e4;                        // px, more than words take
-constexpr double kLeader = 1.4;                           // px
+constexpr double kManyLines = 1e4;                            // px, more than words take
+constexpr double kLeader = 1.4;                               // px
 /// What steps aside by no more is still beside what it names, px.
 constexpr double kStepAside = 12.0;
 /// So far off nobody sees what words are about, px.
@@ -24,6 +24,14 @@ constexpr double kFarthest = 180.0;
 QPen roundPen(const QColor &colour, double width)
 {
     return QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+}
+
+QPen axisPen(const ViewStyle &style)
+{
+    constexpr double kWidth = 1.6; // px
+    QPen dashDot(style.symmetry, kWidth);
+    dashDot.setDashPattern({14.0 / kWidth, 4.0 / kWidth, 2.0 / kWidth, 4.0 / kWidth});
+    return dashDot;
 }
 
 QColor faded(QColor colour, double alpha)

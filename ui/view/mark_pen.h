@@ -19,6 +19,8 @@ namespace fff::ui {
 
 QPen roundPen(const QColor &colour, double width);
 QColor faded(QColor colour, double alpha);
+/// For axes of symmetry: dash-dot, as drawings have it.
+QPen axisPen(const ViewStyle &style);
 
 /// Leaves the painter's state changed. Painter, camera and style outlive it.
 class MarkPen

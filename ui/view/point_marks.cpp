@@ -1,6 +1,12 @@
 #include "ui/view/point_marks.h"
 
+#include "core/base/tolerances.h"
+#include "core/model/symmetric_section.h"
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace fff::ui {
 
@@ -8,6 +14,7 @@ namespace {
 
 constexpr double kSize = 7.0, kHoveredSize = 9.0; // px
 constexpr double kHandleSize = 6.0;
+constexpr double kBeyond = 24.0;   // px, of an axis over the section
 constexpr double kNearView = 20.0; // px beyond its edge: nothing there is drawn
 
 class Points
@@ -16,9 +23,12 @@ public:
     Points(MarkPen &pen, const Section &section, const sign::Points &points)
         : m_pen(pen), m_painter(pen.painter()), m_section(section), m_points(points),
           m_view(QRectF(0.0, 0.0, pen.viewport().x(), pen.viewport().y())
-                     .adjusted(-kNearView, -kNearView, kNearView, kNearView))
+                     .adjusted(-kNearView, -kNearView, kNearView, kNearView)),
+          m_lit(points.selected)
     {
+        addImages();
     }
+    void axis();
     void contour();
     void neighbours();
     void handles();
@@ -29,13 +39,14 @@ private:
     QPointF screen(const Vec2 &p) const { return m_pen.screen(m_section.frame.toWorld(p)); }
     bool isSelected(const PointAddress &point) const
     {
-        return std::binary_search(m_points.selected.begin(), m_points.selected.end(), point);
+        return std::binary_search(m_lit.begin(), m_lit.end(), point);
     }
     bool isHovered(PointTarget::Kind kind, const PointAddress &point) const
     {
         return m_points.hovered && m_points.hovered->kind == kind &&
                m_points.hovered->point == point;
     }
+    void addImages();
     void mark(const QPointF &at, PointKind kind, double size);
 
     MarkPen &m_pen;
@@ -43,7 +54,50 @@ private:
     const Section &m_section;
     const sign::Points &m_points;
     const QRectF m_view;
+    std::vector<PointAddress> m_lit; // sorted: those that are selected, and what moves with them
 };
+
+/// Of a symmetric section, where the images of the selected points are, which move as these do.
+void Points::addImages()
+{
+    const MirrorAxis *axis = symmetryOf(m_section);
+    if (!axis)
+        return;
+    for (const PointAddress &point : m_points.selected) {
+        if (!isPoint(*m_section.shape, point))
+            continue;
+        const Vec2 image =
+            axis->mirrored(anchor(boundary(*m_section.shape, point.boundary), point.index));
+        for (int b = 0; b < boundaryCount(*m_section.shape); ++b)
+            for (int i = 0; i < boundary(*m_section.shape, b).segmentCount(); ++i)
+                if ((anchor(boundary(*m_section.shape, b), i) - image).norm() < kEqualEnds)
+                    m_lit.push_back({b, i});
+    }
+    std::sort(m_lit.begin(), m_lit.end());
+    m_lit.erase(std::unique(m_lit.begin(), m_lit.end()), m_lit.end());
+}
+
+/// That it stays symmetric to, a little longer than the section is.
+void Points::axis()
+{
+    const MirrorAxis *axis = symmetryOf(m_section);
+    if (!axis)
+        return;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    const Box2 box = m_section.shape->bounds();
+    for (const Vec2 &corner :
+         {box.min, box.max, Vec2(box.min.x(), box.max.y()), Vec2(box.max.x(), box.min.y())}) {
+        const double along = axis->direction.dot(corner - axis->point);
+        least = std::min(least, along);
+        most = std::max(most, along);
+    }
+    const double beyond =
+        kBeyond * m_pen.camera().scaleAt(m_section.frame.toWorld(axis->point), m_pen.viewport());
+    QPainterPath line(screen(axis->point + (least - beyond) * axis->direction));
+    line.lineTo(screen(axis->point + (most + beyond) * axis->direction));
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.strokePath(line, axisPen(m_pen.style()));
+}
 
 void Points::contour()
 {
@@ -153,6 +207,7 @@ void paintPoints(MarkPen &pen, const Section &section, const sign::Points &point
 {
     pen.painter().save();
     Points drawing(pen, section, points);
+    drawing.axis();
     drawing.contour();
     drawing.neighbours();
     drawing.handles();

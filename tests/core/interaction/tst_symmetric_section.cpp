@@ -108,6 +108,7 @@ class TestSymmetricSection : public QObject
 private Q_SLOTS:
     void whatIsDrawnMirroredStaysSo();
     void whatIsNotMirroredIsFree();
+    void noOtherPointLightsInADrag();
     void imagesHoldAfterManyEdits_data();
     void imagesHoldAfterManyEdits();
     void undoGivesTheVeryObjectsBack();
@@ -367,6 +368,32 @@ void TestSymmetricSection::sizesAreTheSameEverywhere()
         const Vec3 right = desk.interaction.camera().right();
         QVERIFY(std::abs(desk.sections().back()->frame.x.dot(right)) > 0.999);
     }
+}
+
+// Wrong: the edit gives points other numbers, and the one that was pressed lights elsewhere.
+void TestSymmetricSection::noOtherPointLightsInADrag()
+{
+    MirroredDesk desk;
+    desk.interaction.select({desk.drawn()->ref()});
+    const auto at = [&](int i) {
+        return desk.screen(desk.drawn()->frame.toWorld(anchor(desk.drawn()->shape->contour(), i)));
+    };
+    int tried = 0;
+    for (int i = 0; i < desk.drawn()->shape->contour().segmentCount(); ++i) {
+        const Vec2 from = at(i);
+        desk.moveTo(from);
+        const auto hovered = desk.interaction.hoveredPoint();
+        if (!hovered || hovered->kind != PointTarget::Kind::Anchor)
+            continue;
+        ++tried;
+        desk.press(from);
+        desk.moveTo(from + Vec2(9, -9));
+        const sign::Points *points = desk.interaction.overlay().find<sign::Points>();
+        QVERIFY(points && !points->hovered);
+        QVERIFY(desk.interaction.escape(desk.time += 8.0));
+        desk.release(desk.cursor);
+    }
+    QVERIFY(tried > 2);
 }
 
 FFF_TEST(TestSymmetricSection)
