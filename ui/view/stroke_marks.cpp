@@ -34,7 +34,30 @@ QPainterPath endless(const MarkPen &pen, const Vec3 &point, const Vec3 &directio
     return line;
 }
 
-/// The axis with what it means; dash-dot, as drawings have it.
+/// Of what is drawn so far and what a release adds, px; a curve by its control points.
+QRectF boxOf(const MarkPen &pen, const sign::Stroke &stroke)
+{
+    QRectF box;
+    const auto add = [&](const Vec2 &p) {
+        const QPointF at = pen.screen(stroke.canvas.toWorld(p));
+        const QRectF point(at, QSizeF(1.0, 1.0)); // an empty one would not count
+        box = box.isNull() ? point : box.united(point);
+    };
+    const auto addCurve = [&add](const CubicBezier &curve) {
+        for (const Vec2 &p : {curve.p0, curve.p1, curve.p2, curve.p3})
+            add(p);
+    };
+    for (const Vec2 &sample : stroke.samples)
+        add(sample);
+    for (const CubicBezier &curve : stroke.mirrored)
+        addCurve(curve);
+    for (const std::optional<CubicBezier> &curve : {stroke.opening, stroke.closing})
+        if (curve)
+            addCurve(*curve);
+    return box;
+}
+
+/// The axis with what it means.
 void paintAxis(MarkPen &pen, const sign::Stroke &stroke, bool isSlit)
 {
     const Vec3 point = stroke.canvas.toWorld(stroke.axis->point);
@@ -42,15 +65,14 @@ void paintAxis(MarkPen &pen, const sign::Stroke &stroke, bool isSlit)
     const QPainterPath line = endless(pen, point, direction);
     if (line.isEmpty())
         return;
-    QPen dashDot(pen.style().symmetry, 1.6);
-    dashDot.setDashPattern({14.0 / 1.6, 4.0 / 1.6, 2.0 / 1.6, 4.0 / 1.6});
-    pen.painter().strokePath(line, dashDot);
-    // Above what is drawn, as far as that leaves room.
-    double top = pen.viewport().y();
-    for (const Vec2 &p : stroke.samples)
-        top = std::min(top, pen.screen(stroke.canvas.toWorld(p)).y());
+    pen.painter().strokePath(line, axisPen(pen.style()));
+    // Above what is drawn, or below it where that leaves no room.
+    constexpr double kBeside = 30.0, kLeast = 70.0; // px, of what is drawn and of the view's edges
+    const QRectF box = boxOf(pen, stroke);
+    const double most = std::max(kLeast, pen.viewport().y() - kLeast);
+    const double above = box.top() - kBeside, below = box.bottom() + kBeside;
     const QPointF from = line.elementAt(0), to = line.elementAt(1);
-    const double y = std::clamp(top - 30.0, 70.0, std::max(70.0, pen.viewport().y() - 70.0));
+    const double y = std::clamp(above < kLeast && below <= most ? below : above, kLeast, most);
     const double along =
         std::abs(to.y() - from.y()) > 1.0 ? (y - from.y()) / (to.y() - from.y()) : 0.5;
     const QPointF place = from + along * (to - from);
@@ -91,8 +113,13 @@ void paintCursor(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, cons
     painter.drawEllipse(at, 4.0, 4.0);
     if (!stroke.size)
         return;
+    // Beside what is drawn, at the height of the cursor: never on its line.
+    constexpr double kAside = 14.0; // px
+    const QRectF box = boxOf(pen, stroke);
+    const bool isRight = at.x() >= box.center().x();
     const Vec2 &size = *stroke.size;
-    pen.chip(at + QPointF(26.0, 14.0), MarkPen::Anchor::Left,
+    pen.chip({isRight ? box.right() + kAside : box.left() - kAside, at.y()},
+             isRight ? MarkPen::Anchor::Left : MarkPen::Anchor::Right,
              QStringLiteral("%1 × %2").arg(lengthNumber(size.x(), unit, 1, 1, locale),
                                            lengthText(size.y(), unit, 1, 1, locale)),
              pen.style().muted, MarkPen::Rank::InHand);
@@ -220,6 +247,9 @@ void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLoc
     if (slit.hasLeft)
         pen.ring(to, 4.5, pen.style().slit);
 
+    pen.keepFree(from, to, kSlitRoom);
+    if (!slit.hasWords)
+        return;
     const double length = (slit.to - slit.from).norm();
     double reach = 22.0; // px, from the slit to its chip
     if (slit.clearance > 0.0)
@@ -238,7 +268,6 @@ void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLoc
     else
         pen.chip(middle - QPointF(reach, 0.0), MarkPen::Anchor::Right, words, pen.style().slit,
                  MarkPen::Rank::InHand);
-    pen.keepFree(from, to, kSlitRoom);
 }
 
 void paintEnd(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale)

@@ -1,9 +1,11 @@
 // Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
 #include "core/interaction/snapping.h"
+#include "core/model/symmetric_section.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 #include "tests/ui/push_tool.h"
 #include "ui/view/overlay_painter.h"
+#include "ui/view/point_marks.h"
 #include "ui/view/sign_looks.h"
 #include "ui/view/sign_painter.h"
 #include "ui/view/stroke_marks.h"
@@ -13,7 +15,10 @@
 #include <QTest>
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace fff;
 using namespace fff::test;
@@ -76,6 +81,38 @@ std::vector<Sign> oneOfEach()
             sign::Rulers{canvas}};
 }
 
+/// A rectangle of 60 x 50 mm with its points.
+QImage paintedPoints(std::optional<MirrorAxis> axis, std::vector<PointAddress> selected)
+{
+    Document document =
+        withSection(newDocument(), polygonShape(rectangle(-30, -25, 30, 25)), Frame());
+    document = *setSymmetry(document, document.sections.front()->id, axis);
+    const Section &section = *document.sections.front();
+    const Vec2 size(400.0, 300.0);
+    QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    const Camera camera;
+    MarkPen pen(painter, camera, size, kStyle);
+    paintPoints(pen, section, {section.ref(), std::move(selected), {}});
+    return image;
+}
+
+/// In the middle of a stroke, which has left a plate and draws.
+struct MirroredStroke : Desk
+{
+    MirroredStroke()
+    {
+        addPlate();
+        press(plate(20, 0));
+        moveTo(plate(110, 0));
+        wait(kTurnTime);
+        const Vec2 start = cursor;
+        for (const Vec2 &by : {Vec2(120, -40), Vec2(120, -160), Vec2(0, -160)})
+            moveTo(start + by);
+    }
+};
+
 } // namespace
 
 class TestSigns : public QObject
@@ -90,6 +127,10 @@ private Q_SLOTS:
     void rulersKeepOffWhatIsDrawn();
     void wordsOfACutStandBesideIt();
     void whatLiesUnderWhatIsNoMatterOfTheOrder();
+    void wordsOfAStrokeStandBesideIt();
+    void theSlitIsSilentWhileTheOutlineIsDrawn();
+    void aSymmetricSectionShowsItsAxis();
+    void pointsLightWithTheirImages();
 };
 
 // Wrong: a role without a line in the table would take the program down where it is first seen.
@@ -237,6 +278,74 @@ void TestSigns::wordsOfACutStandBesideIt()
         QVERIFY(off > 0.0 && off < 20.0);
         QVERIFY(box.top() >= cut.y() && box.top() < cut.y() + 12.0);
     }
+}
+
+// Wrong: the size lies on the line that is drawn.
+void TestSigns::wordsOfAStrokeStandBesideIt()
+{
+    // The hand is at the left of what it draws, which goes on to the right of the cursor.
+    sign::Stroke stroke;
+    stroke.samples = {{-40, -20}, {30, -25}, {35, 30}, {-30, 25}, {-38, 0}};
+    const auto drawn = [&stroke] {
+        Signs signs;
+        signs.add(stroke);
+        return painted({&signs});
+    };
+    const QImage bare = drawn();
+    stroke.size = Vec2(75.0, 55.0);
+    const QImage sized = drawn();
+    QVERIFY(sized != bare);
+    const Camera camera;
+    const Vec2 size(400.0, 300.0);
+    Box2 box;
+    for (const Vec2 &p : stroke.samples)
+        box.extend(camera.toScreen(Vec3(p.x(), p.y(), 0.0), size));
+    const QRect inside(QPoint(int(box.min.x()), int(box.min.y())),
+                       QPoint(int(box.max.x()), int(box.max.y())));
+    QVERIFY(inside.width() > 40);
+    QCOMPARE(sized.copy(inside), bare.copy(inside));
+}
+
+// Wrong: the slit's length stands in the middle of the outline.
+void TestSigns::theSlitIsSilentWhileTheOutlineIsDrawn()
+{
+    sign::Slit slit{{0, 0, 0}, {40, 0, 0}, true, "Rib", {}, 20.0};
+    const auto ink = [&slit] {
+        Signs signs;
+        signs.add(slit);
+        return count(painted({&signs}), kStyle.slit, {0, 0, 400, 300});
+    };
+    const int with = ink();
+    slit.hasWords = false;
+    QVERIFY(ink() > 20); // its line
+    QVERIFY(ink() < with - 20);
+    MirroredStroke desk;
+    QVERIFY(desk.interaction.overlay().find<sign::Stroke>());
+    QVERIFY(!desk.interaction.overlay().find<sign::Slit>()->hasWords);
+}
+
+// Wrong: that it is symmetric, and to what, is not seen once it is drawn.
+void TestSigns::aSymmetricSectionShowsItsAxis()
+{
+    const auto ink = [](std::optional<MirrorAxis> axis) {
+        return count(paintedPoints(axis, {}), kStyle.symmetry, {0, 0, 400, 300});
+    };
+    QCOMPARE(ink({}), 0);
+    QVERIFY(ink(MirrorAxis{Vec2::Zero(), Vec2::UnitY()}) > 30);
+}
+
+// Wrong: a point is dragged, and what moves with it on the other side stays dark.
+void TestSigns::pointsLightWithTheirImages()
+{
+    const auto lit = [](std::optional<MirrorAxis> axis, double x, double y) {
+        const Vec2 at = Camera().toScreen(Vec3(x, y, 0.0), {400.0, 300.0});
+        return count(paintedPoints(axis, {{0, 2}}), kStyle.accent,
+                     {QPoint(int(at.x()) - 2, int(at.y()) - 2), QSize(4, 4)}) > 8;
+    };
+    const MirrorAxis axis{Vec2::Zero(), Vec2::UnitY()};
+    QVERIFY(lit({}, 30, 25) && lit(axis, 30, 25));
+    QVERIFY(!lit({}, -30, 25) && lit(axis, -30, 25));
+    QVERIFY(!lit(axis, -30, -25) && !lit(axis, 30, -25));
 }
 
 FFF_TEST_WITH(TestSigns, fff::testing::runWithin<TestSigns, QGuiApplication>)
