@@ -31,6 +31,8 @@ constexpr double kPadWidth = 1.4;
 constexpr double kLeastFoot = 6.0;
 /// What stands beside another one is a little more than just beside it.
 constexpr double kBeside = 1.01;
+/// What is left of a foot to each side of a slit in it, in thicknesses.
+constexpr double kWall = 2.0;
 /// Farther than this nobody wants a foot to reach, mm.
 constexpr double kLongest = 400.0;
 /// By so much what is stretched stands more firmly than it has to.
@@ -155,6 +157,61 @@ std::optional<double> freePlace(const Analysis &analysis, const UprightStand &st
     return nearest == places.end() ? std::nullopt : std::optional(*nearest);
 }
 
+/// One half of a foot, mm from where it stands: its end, and how far it is as high as at its root.
+struct HalfFoot
+{
+    double end = 0.0, root = 0.0;
+
+    /// Through what stands there, and beyond it, with walls to both sides of that slit: a foot that
+    /// ends in it would be cut to nothing.
+    void passThrough(double place, double thickness)
+    {
+        if (place >= end + kWall * thickness)
+            return;
+        root = std::max(root, place + kWall * thickness);
+        end = std::max(end, place + kRootHeight * thickness);
+    }
+};
+
+/// x along it from where it stands, y upwards.
+Result<ShapePointer> footShape(const HalfFoot &left, const HalfFoot &right, double thickness)
+{
+    const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
+    return Shape::make(Contour::ofPolygon({{-left.end, 0.0},
+                                           {right.end, 0.0},
+                                           {right.end, tip},
+                                           {right.root, root},
+                                           {-left.root, root},
+                                           {-left.end, tip}}));
+}
+
+/// Where other sections stand across the line of a foot: mm along that from its middle, the nearest
+/// first.
+std::vector<double> standingAcross(const Analysis &analysis, const UprightStand &stand,
+                                   const Vec2 &middle, const Vec2 &along)
+{
+    std::vector<double> places;
+    const int count = static_cast<int>(analysis.model.sectionCount());
+    for (int section = 0; section < count; ++section) {
+        const auto other =
+            section == stand.section ? std::nullopt : uprightStandOf(analysis.model, section);
+        if (!other || !other->isOnGround())
+            continue;
+        const double sine = cross(along, other->along);
+        if (std::abs(sine) < kPracticallyParallel)
+            continue;
+        const Vec2 way = other->origin - middle;
+        const double onOther = cross(way, along) / sine;
+        const double slack =
+            kWall * analysis.model.stockOf(static_cast<std::size_t>(section)).thickness;
+        if (onOther > other->from - slack && onOther < other->to + slack)
+            places.push_back(cross(way, other->along) / sine);
+    }
+    std::sort(places.begin(), places.end(),
+              [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return places;
+}
+
 /// The section with a pad on the ground below it, in its plane, wide enough for a foot across it: s
 /// is where. Errors  EmptyContour where the pad would stand apart.
 Result<ShapePointer> withPad(const Section &section, const UprightStand &stand, double s,
@@ -196,19 +253,19 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
         if (!s)
             continue;
         const double reach = std::max(kLeastFoot * thickness, need.reach);
-        const double left = std::max(reach, reach - beside),
-                     right = std::max(reach, reach + beside);
         const Vec2 at = stand.at(*s);
+        HalfFoot leftHalf{std::max(reach, reach - beside), margin},
+            rightHalf{std::max(reach, reach + beside), margin};
+        for (const double place : standingAcross(analysis, stand, at, across))
+            (place < 0.0 ? leftHalf : rightHalf).passThrough(std::abs(place), thickness);
+        const double left = leftHalf.end, right = rightHalf.end;
         std::vector<Vec2> feet{at - left * across, at + right * across};
         if (isNarrow) // what stands on a point has no side
             for (const double sign : {-1.0, 1.0})
                 feet.push_back(stand.at(*s + sign * kPadWidth * kRootHeight * thickness));
         if (left + right >= shortest || need.marginWith(feet) <= need.marginWith({}))
             continue;
-        const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
-        const Polygon outline{{-left, 0.0},   {right, 0.0},    {right, tip},
-                              {margin, root}, {-margin, root}, {-left, tip}};
-        Result<ShapePointer> shape = Shape::make(Contour::ofPolygon(outline));
+        Result<ShapePointer> shape = footShape(leftHalf, rightHalf, thickness);
         if (!shape)
             continue;
         NewSection foot;
@@ -216,7 +273,7 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
         foot.frame = {Vec3(at.x(), 0.0, at.y()), Vec3(across.x(), 0.0, across.y()), Vec3::UnitY()};
         foot.stock = section.stock;
         foot.parent = Parent{section.ref(), onPlane(section, stand, *s, 0.0),
-                             onPlane(section, stand, *s, root)};
+                             onPlane(section, stand, *s, margin)};
         Result<Document> next = analysis.model.document;
         if (isNarrow) {
             Result<ShapePointer> padded = withPad(section, stand, *s, thickness);

@@ -3,6 +3,8 @@
 #include "core/analysis/checks.h"
 #include "core/analysis/dropping.h"
 #include "core/analysis/finding_action.h"
+#include "core/analysis/findings/broader_base.h"
+#include "core/analysis/findings/standing.h"
 #include "core/analysis/joining_move.h"
 #include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
@@ -12,6 +14,7 @@
 #include "tests/core/analysed.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/session/all_findings.h"
+#include "tests/core/session/staged.h"
 #include "tests/test_program.h"
 
 #include <random>
@@ -99,6 +102,7 @@ class TestCheckActions : public QObject
 private Q_SLOTS:
     void editsMend_data();
     void editsMend();
+    void aFootGoesThroughWhatStandsBesideIt();
     void whatOnlyShowsIsOffered();
     void looseSectionsAreJoined_data();
     void looseSectionsAreJoined();
@@ -144,6 +148,30 @@ void TestCheckActions::editsMend_data()
         << &kStretchToGround << &kLeans;
     QTest::newRow("what is sunk is lifted")
         << moveAll(eggCrate(2, 2), {0, -12, 0}) << &kDropToGround << &kBelowGround;
+}
+
+// Wrong: it falls over, and no foot is offered, since it would end in the other leg.
+void TestCheckActions::aFootGoesThroughWhatStandsBesideIt()
+{
+    for (const double apart : {10.0, 15.0, 20.0}) {
+        const Document document =
+            withSection(withSection(withSection(newDocument(), plateOf(-60, 30, 60, 90), front()),
+                                    plateOf(-40, 0, 40, 70), side(-35.0 - apart)),
+                        plateOf(-40, 0, 40, 70), side(-35));
+        const Staged before = stagedWithMends(document);
+        const auto falls = std::find_if(before.found.begin(), before.found.end(),
+                                        [](const Finding &f) { return f.is(kTopples); });
+        QVERIFY(falls != before.found.end());
+        const std::vector<Mend> *mends = before.mends->of(*falls);
+        QVERIFY(mends);
+        const auto foot = std::find_if(mends->begin(), mends->end(), [](const Mend &mend) {
+            return mend.action.kind == &kAddFoot;
+        });
+        QVERIFY2(foot != mends->end(), qPrintable(QString::number(apart)));
+        const Staged after = staged(foot->edit->document);
+        QVERIFY(std::none_of(after.found.begin(), after.found.end(),
+                             [](const Finding &f) { return f.severity >= Severity::Warning; }));
+    }
 }
 
 // Wrong: a link that promises to mend what is wrong and leaves it, or cannot be taken back.
