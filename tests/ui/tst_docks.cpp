@@ -314,7 +314,7 @@ void TestDocks::checksSayWhatIsWrong_data()
 {
     QTest::addColumn<Document>("document");
     QTest::addColumn<QString>("title");
-    QTest::newRow("two plates across each other stand") << cross() << "Good: Connected";
+    QTest::newRow("two plates across each other stand") << cross() << "Good: Stands";
     QTest::newRow("one plate on its edge tips easily")
         << withSection(newDocument(), polygonShape(rectangle(0, 0, 50, 50)), front())
         << "Warning 1: Barely stands";
