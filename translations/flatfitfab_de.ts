@@ -1365,6 +1365,33 @@
         <source>Connected. Both sections, by %1.</source>
         <translation>Zusammenhängend. Beide Scheiben, durch %1.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sections moved down by %1</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>
+            <numerusform>1 Scheibe um %1 nach unten verschoben</numerusform>
+            <numerusform>%n Scheiben um %1 nach unten verschoben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections moved up by %1</source>
+        <translation>
+            <numerusform>1 Scheibe um %1 nach oben verschoben</numerusform>
+            <numerusform>%n Scheiben um %1 nach oben verschoben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 turned by %2</source>
+        <extracomment>%1 is the name of a section, %2 an angle</extracomment>
+        <translation>%1 um %2 gedreht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections turned</source>
+        <translation>
+            <numerusform>1 Scheibe gedreht</numerusform>
+            <numerusform>%n Scheiben gedreht</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3459,14 +3486,6 @@
 <context>
     <name>Cue</name>
     <message>
-        <source>Wait</source>
-        <translation>Warten</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>Too near the edge: the slit would hold nothing</source>
         <translation>Zu nah am Rand: Der Schlitz hielte nichts</translation>
     </message>
@@ -3499,6 +3518,14 @@
         <source>Moved in by %1. B: put it back</source>
         <extracomment>%1 is a length</extracomment>
         <translation>Um %1 hereingerückt. B: zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Turning…</source>
+        <translation>Dreht sich …</translation>
+    </message>
+    <message>
+        <source>Draw the outline</source>
+        <translation>Jetzt die Kontur zeichnen</translation>
     </message>
 </context>
 <context>
@@ -5092,10 +5119,6 @@
         <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
-        <source>Click the section to engrave. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Die Scheibe anklicken, die graviert wird. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
         <source>Drag along something whose length you know; the whole model follows. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Entlang von etwas ziehen, dessen Länge bekannt ist; das ganze Modell folgt. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
     </message>
@@ -5595,10 +5618,6 @@
         <translation>Die Scheibe anklicken, auf die %1 gesetzt werden soll. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
-        <source>Leave the grey zone where the contour should start. Release here to cancel.</source>
-        <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour, mirrored across its slit. &lt;kbd&gt;Shift&lt;/kbd&gt; does the opposite.</source>
         <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; kehrt das Spiegeln um.</translation>
     </message>
@@ -5784,6 +5803,38 @@
             <numerusform>Falte entlang der geritzten Linien und verbinde dann Kanten mit derselben Nummer: %n Naht.</numerusform>
             <numerusform>Falte entlang der geritzten Linien und verbinde dann Kanten mit derselben Nummer: %n Nähte.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Draw a hole: begin on the section that gets it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ein Loch zeichnen: auf der Scheibe anfangen, die es bekommt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw on the section to engrave, or click it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Auf die Scheibe zeichnen, die graviert wird, oder sie anklicken. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Made it a circle.</source>
+        <translation>Jetzt ein Kreis.</translation>
+    </message>
+    <message>
+        <source>Made it an ellipse.</source>
+        <translation>Jetzt eine Ellipse.</translation>
+    </message>
+    <message>
+        <source>Lines straightened.</source>
+        <translation>Linien begradigt.</translation>
+    </message>
+    <message>
+        <source>Corners squared.</source>
+        <translation>Ecken rechtwinklig gemacht.</translation>
+    </message>
+    <message>
+        <source>Moved in from the edge.</source>
+        <translation>Vom Rand weggerückt.</translation>
+    </message>
+    <message>
+        <source>Draw the outline: leave the grey zone where it should start. Release here to cancel.</source>
+        <translation>Jetzt die Kontur zeichnen: den grauen Bereich dort verlassen, wo sie beginnen soll. Loslassen bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -11813,6 +11864,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Not on another section</source>
         <translation>Auf keiner anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>across its slit</source>
+        <translation>an ihrem Schlitz</translation>
+    </message>
+    <message>
+        <source>across the vertical</source>
+        <translation>an der Senkrechten</translation>
+    </message>
+    <message>
+        <source>across the horizontal</source>
+        <translation>an der Waagerechten</translation>
     </message>
 </context>
 <context>

@@ -169,6 +169,28 @@
             <numerusform>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n sections moved down by %1</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>
+            <numerusform>1 section moved down by %1</numerusform>
+            <numerusform>%n sections moved down by %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections moved up by %1</source>
+        <translation>
+            <numerusform>1 section moved up by %1</numerusform>
+            <numerusform>%n sections moved up by %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections turned</source>
+        <translation>
+            <numerusform>1 section turned</numerusform>
+            <numerusform>%n sections turned</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
