@@ -96,7 +96,7 @@ void Points::axis()
     QPainterPath line(screen(axis->point + (least - beyond) * axis->direction));
     line.lineTo(screen(axis->point + (most + beyond) * axis->direction));
     m_painter.setBrush(Qt::NoBrush);
-    m_painter.strokePath(line, axisPen(m_pen.style()));
+    m_pen.cased(line, axisPen(m_pen.style()));
 }
 
 void Points::contour()
