@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/findings/doubted_verdicts.h"
+#include "core/analysis/findings/standing.h"
 #include "core/analysis/pulling.h"
 #include "core/session/session.h"
 #include "core/session/set_aside.h"
@@ -88,12 +89,13 @@ void CheckList::add(const Stage &stage)
     if (!result || !stage.findings)
         return;
     const auto isThere = [&](const SectionRef &ref) { return model().indexOf(ref) >= 0; };
-    // One section alone hangs in the air, or falls over: the next one is drawn out of it.
-    const bool isBegun = m_isBeginning || model().sectionCount() == 1;
+    const auto isBegun = [&](const Finding &finding) {
+        return m_isBeginning || (finding.is(kNoContact) && model().sectionCount() == 1);
+    };
     for (const Finding &finding : stage.findings(result.get()))
         if (std::all_of(finding.sections.begin(), finding.sections.end(), isThere) &&
             std::all_of(finding.others.begin(), finding.others.end(), isThere))
-            m_all.push_back(isBegun ? soFar(finding) : finding);
+            m_all.push_back(isBegun(finding) ? soFar(finding) : finding);
 }
 
 /// Another stage knows better of the same model.

@@ -29,8 +29,8 @@ public:
     /// The newest ones of all stages that have such, of sections of model(); in the order of their
     /// subjects. In place of those of a stage that failed one that says why.
     const std::vector<Finding> &all() const { return m_all; }
-    /// While the first sections are drawn: what these may still mend is not wrong so far. Of a
-    /// single section it never is.
+    /// While the first sections are drawn: what these may still mend is not wrong so far. That
+    /// a single section hangs in the air never is: the next one is drawn out of it.
     void setBeginning(bool isBeginning);
     /// The one that they are about; older than the session's unless age() is Current.
     const Model &model() const;

@@ -101,21 +101,15 @@ private Q_SLOTS:
     }
 
     // Wrong: three seconds after the first stroke the new model is red, for want of the second.
-    void oneSectionIsOnlyBegun()
+    void oneSectionMayHang()
     {
         Session session;
         CheckList list{session};
         FirstSections first(session, list, [] { return false; });
-        for (const Frame &frame : {raised(), front()}) {
-            session.reset(withSection(newDocument(), plateOf(-50, 0, 50, 60), frame));
-            list.finish();
-            first.takeAsIs();
-            QVERIFY(std::none_of(list.all().begin(), list.all().end(), [](const Finding &finding) {
-                return finding.severity == Severity::Error;
-            }));
-        }
         session.reset(withSection(newDocument(), plateOf(-50, 0, 50, 60), raised()));
         list.finish();
+        first.takeAsIs();
+        QCOMPARE(find(list, kNoContact)->severity, Severity::Unknown);
         QCOMPARE(checkWords(*find(list, kNoContact), list.model()).title,
                  QStringLiteral("Not on the ground yet"));
     }
