@@ -1392,6 +1392,46 @@
             <numerusform>%n Scheiben gedreht</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stands, %1 aslant. Tips only past %2. Margin %3.</source>
+        <translation>Steht, um %1 schief. Kippt erst ab %2. Reserve %3.</translation>
+    </message>
+    <message>
+        <source>Leans %1 forwards</source>
+        <translation>Neigt sich um %1 nach vorn</translation>
+    </message>
+    <message>
+        <source>Leans %1 backwards</source>
+        <translation>Neigt sich um %1 nach hinten</translation>
+    </message>
+    <message>
+        <source>Leans %1 to its left</source>
+        <translation>Neigt sich um %1 nach links</translation>
+    </message>
+    <message>
+        <source>Leans %1 to its right</source>
+        <translation>Neigt sich um %1 nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 before it stands: its lowest points are not all on the ground. Tips only past %2.</source>
+        <translation>%1, bevor es steht: Seine tiefsten Punkte liegen nicht alle auf dem Boden. Kippt erst ab %2.</translation>
+    </message>
+    <message>
+        <source>Not on the ground. Their lowest point is %1 above it.</source>
+        <translation>Nicht auf dem Boden. Ihr tiefster Punkt ist %1 darüber.</translation>
+    </message>
+    <message>
+        <source>Join it to what stands, or move it to the ground.</source>
+        <translation>Verbinde es mit dem, was steht, oder schiebe es auf den Boden.</translation>
+    </message>
+    <message>
+        <source>Leans</source>
+        <translation>Steht schief</translation>
+    </message>
+    <message>
+        <source>Let its feet end on one plane.</source>
+        <translation>Lass seine Füße auf einer Ebene enden.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -8748,6 +8788,10 @@
     <message>
         <source>--flap is of --unfold.</source>
         <translation>--flap gehört zu --unfold.</translation>
+    </message>
+    <message>
+        <source>Too weak: it holds, but not with the safety that is asked for.</source>
+        <translation>Zu schwach: Es hält, aber nicht mit der verlangten Sicherheit.</translation>
     </message>
 </context>
 <context>

@@ -148,7 +148,7 @@ bool holdsOnlyIf(const Simulated &simulated)
 QString holdingText(const Simulated &simulated)
 {
     if (simulated.strength.verdict == HoldVerdict::Breaks && simulated.strength.neckUse <= 1.0)
-        return tr("Too weak: it bears this, but not with the safety that is asked for.");
+        return tr("Too weak: it holds, but not with the safety that is asked for.");
     if (!holdsOnlyIf(simulated))
         return verdictText(simulated.strength.verdict);
     const Text &doubt = simulated.doubts.strength;

@@ -20,7 +20,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
         {QT_TR_NOOP("&File"),
          "file.new file.open @recent file.insert section.importSections template.addMesh | "
          "file.save file.saveAs "
-         "file.revert | fabricate.stocks file.export | file.settings | file.close file.quit"},
+         "| fabricate.stocks file.export | file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"), "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate "
                               "edit.mirror edit.delete | edit.selectAll"},
         {QT_TR_NOOP("&View"),
@@ -55,7 +55,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
 
         // What has its place on a bar, a page, a key or a right click.
         {QT_TR_NOOP("&File"),
-         "file.addToLibrary file.exportAgain file.shortcuts fabricate.coupon sheets.unpinAll",
+         "file.revert file.addToLibrary file.exportAgain file.shortcuts fabricate.coupon "
+         "sheets.unpinAll",
          kSearchedMenu},
         {QT_TR_NOOP("&Edit"),
          "edit.selectConnected edit.selectParallel edit.selectSameStock edit.selectNext "

@@ -222,9 +222,12 @@ Message lineSentence(const Finding &finding, const Model &model)
 
 Message noContactSentence(const Finding &finding, const Model &model)
 {
-    return ofThese(finding, model,
-                   {FFF_TEXT("Checks", "Not on the ground. Its lowest point is %1 above it."),
-                    {lengthOf(finding.details<Footing>()->height)}});
+    return ofThese(
+        finding, model,
+        {finding.sections.size() > 1
+             ? FFF_TEXT("Checks", "Not on the ground. Their lowest point is %1 above it.")
+             : FFF_TEXT("Checks", "Not on the ground. Its lowest point is %1 above it."),
+         {lengthOf(finding.details<Footing>()->height)}});
 }
 
 Message belowGroundSentence(const Finding &finding, const Model &model)
@@ -255,6 +258,14 @@ ProblemLook footingLook(const Finding &finding)
 
 constexpr Text kFootAdvice =
     FFF_TEXT("Checks", "Give it another foot, or move weight over its feet.");
+/// The whole model is dropped by a link.
+Text notOnGroundAdvice(const Finding &finding)
+{
+    return finding.sections.empty()
+               ? Text{}
+               : FFF_TEXT("Checks", "Join it to what stands, or move it to the ground.");
+}
+
 constexpr Text kNotYet = FFF_TEXT("Checks", "Does not stand yet");
 constexpr Text kNotOnGroundYet = FFF_TEXT("Checks", "Not on the ground yet");
 
@@ -397,7 +408,8 @@ const FindingKind kNoContact{.name = "noContact",
                              .actions = drop,
                              .look = footingLook,
                              .hidesOthers = true,
-                             .yet = kNotOnGroundYet};
+                             .yet = kNotOnGroundYet,
+                             .advised = notOnGroundAdvice};
 const FindingKind kBelowGround{.name = "belowGround",
                                .subject = Subject::Stability,
                                .title = FFF_TEXT("Checks", "Not on the ground"),
