@@ -8,6 +8,7 @@
 #include "tests/core/analysed.h"
 #include "tests/core/session/held_pairs.h"
 #include "tests/core/session/random_drawings.h"
+#include "tests/rounds.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -188,7 +189,7 @@ void TestHeldPairs::samples()
 void TestHeldPairs::drawings_data()
 {
     QTest::addColumn<int>("first");
-    for (int first = 0; first < kDrawings; first += kOfRow)
+    for (int first = 0; first < rounds(kDrawings); first += kOfRow)
         QTest::addRow("drawings %d to %d", first, first + kOfRow - 1) << first;
 }
 

@@ -7,6 +7,7 @@
 #include "tests/core/session/broken_models.h"
 #include "tests/core/session/mend_trial.h"
 #include "tests/core/session/random_drawings.h"
+#include "tests/rounds.h"
 #include "tests/test_program.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using namespace fff::test;
 namespace {
 
 /// Broken models on which each link is to be met; FFF_BROKEN_MODELS asks for more.
-constexpr int kModels = 25;
+constexpr int kModels = rounds(25);
 /// Not every one of those that are made is broken in the way that is meant.
 constexpr int kTriesOfEach = 6;
 /// Of other links than the one that is looked for as many are carried out.

@@ -10,6 +10,7 @@
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/core/session/random_edits.h"
+#include "tests/rounds.h"
 #include "tests/test_program.h"
 
 #include <QSignalSpy>
@@ -380,7 +381,7 @@ void TestScheduler::randomEditsWithCancels()
     RandomEdits edits(17);
     Document document = newDocument();
     ModelPointer model;
-    for (int i = 1; i <= 10000; ++i) {
+    for (int i = 1; i <= rounds(10000); ++i) {
         document = i % 40 == 0 ? newDocument() : edits.next(document);
         model = std::make_shared<const Model>(evaluate(document));
         if (below(50) == 0)

@@ -8,6 +8,7 @@
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
 #include "tests/core/session/random_edits.h"
+#include "tests/rounds.h"
 #include "tests/test_program.h"
 
 using namespace fff;
@@ -135,7 +136,7 @@ void TestStrengthEdits::platesAtRandom()
     RandomEdits edits(23);
     Following following(false);
     Document document = newDocument();
-    for (int i = 0; i < 250; ++i) {
+    for (int i = 0; i < rounds(250); ++i) {
         document = edits.next(document);
         if (edits.below(2) == 0)
             document = withOtherLoads(std::move(document), edits);
@@ -164,7 +165,7 @@ void TestStrengthEdits::samples()
     const Document first = document;
     RandomEdits random(7);
     Following following(isElastic);
-    for (int i = 0; i < edits; ++i) {
+    for (int i = 0; i < rounds(edits); ++i) {
         const int kind = random.below(8);
         const SectionId id = document
                                  .sections[static_cast<std::size_t>(
