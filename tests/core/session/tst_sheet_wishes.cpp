@@ -181,7 +181,8 @@ void TestSheetWishes::copiesKeepTheirTurningAndNoPlace()
 {
     Document document = combModel(3);
     const SectionRef rib = document.sections[2]->ref();
-    document = *setPin(std::move(document), placeOn(document, 2, {100, 100}));
+    const PinnedPlace place = placeOn(document, 2, {100, 100});
+    document = *setPin(std::move(document), place);
     document = *setTurning(std::move(document), rib, Turning::Half);
     const Insertion copied = inserted(document, excerpt(evaluate(document), {rib}));
     QCOMPARE(copied.sections.size(), std::size_t(1));
