@@ -258,10 +258,11 @@ void TestSheetWishes::brokenFilesAreTold()
     QFETCH(QByteArray, to);
     QFETCH(QString, place);
     Document document = combModel(3);
-    document = *setPin(std::move(document),
-                       {document.sections[0]->ref(), 1, 1, Vec2::UnitY(), Vec2(30, 40)});
-    document = *setPin(std::move(document), placeOn(document, 1, {50, 60}));
-    document = *setTurning(std::move(document), document.sections[0]->ref(), Turning::Half);
+    const SectionRef first = document.sections[0]->ref();
+    const PinnedPlace second = placeOn(document, 1, {50, 60});
+    document = *setPin(std::move(document), {first, 1, 1, Vec2::UnitY(), Vec2(30, 40)});
+    document = *setPin(std::move(document), second);
+    document = *setTurning(std::move(document), first, Turning::Half);
     QByteArray text = QByteArray::fromStdString(*io::writeFff(document));
     QVERIFY2(text.count(from) == 1, text.constData());
     text.replace(from, to);
