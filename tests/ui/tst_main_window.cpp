@@ -79,6 +79,7 @@ private Q_SLOTS:
     void viewActionsShowTheirState();
     void lettersWorkOnlyInTheView();
     void narrowWindowsHaveOneColumn();
+    void otherWidthsKeepWhatWasArranged();
 
 private:
     bool comesToRest();
@@ -700,9 +701,34 @@ void TestMainWindow::narrowWindowsHaveOneColumn()
     QCOMPARE(properties->width(), 322);
     m_window->resize(1024, 640);
     QTRY_COMPARE(m_window->width(), 1024);
-    m_window->resetLayout();
     QCOMPARE(m_window->dockWidgetArea(outline), Qt::RightDockWidgetArea);
     QTRY_VERIFY(m_view->width() >= 700);
+    m_window->resize(1440, 900);
+    QTRY_COMPARE(m_window->dockWidgetArea(outline), Qt::LeftDockWidgetArea);
+}
+
+// Wrong: a dock that was opened or moved goes where the program wants it because the window has
+// another width.
+void TestMainWindow::otherWidthsKeepWhatWasArranged()
+{
+    auto *outline = m_window->findChild<OutlineDock *>();
+    auto *history = m_window->findChild<QDockWidget *>(QStringLiteral("historyDock"));
+    auto *values = m_window->findChild<QDockWidget *>(QStringLiteral("valuesDock"));
+    QVERIFY(history && values && values->isHidden());
+    values->show();
+    history->close();
+    m_window->resize(1024, 640);
+    QTRY_COMPARE(m_window->dockWidgetArea(outline), Qt::RightDockWidgetArea);
+    QVERIFY(!values->isHidden());
+    QVERIFY(history->isHidden());
+
+    m_window->resize(1440, 900);
+    QTRY_COMPARE(m_window->dockWidgetArea(outline), Qt::LeftDockWidgetArea);
+    m_window->addDockWidget(Qt::LeftDockWidgetArea, values);
+    m_window->resize(1024, 640);
+    QTRY_COMPARE(m_window->width(), 1024);
+    QCOMPARE(m_window->dockWidgetArea(outline), Qt::LeftDockWidgetArea);
+    QCOMPARE(m_window->dockWidgetArea(values), Qt::LeftDockWidgetArea);
 }
 
 FFF_TEST_WITH(TestMainWindow, runInWindowProgram<TestMainWindow>)

@@ -71,7 +71,7 @@ bool hasOpenGl()
 MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workbench(this))
 {
     setObjectName(QStringLiteral("mainWindow"));
-    setMinimumSize(1024, 640);
+    setMinimumSize(QSize(1024, 640).boundedTo(screen()->availableSize()));
     // With room for the frame that the system puts round it.
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 56)));
     setContextMenuPolicy(Qt::NoContextMenu); // Qt's own menu could hide the tool bar for good
@@ -489,6 +489,8 @@ void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
     m_toolBar->fold(width());
+    if (m_wasShown)
+        m_layout->followWidth();
 }
 
 void MainWindow::showEvent(QShowEvent *event)

@@ -111,7 +111,12 @@ void WindowLayout::widenForTabs()
 
 void WindowLayout::reset()
 {
-    const bool wide = !isNarrow();
+    arrange(isNarrow());
+}
+
+void WindowLayout::arrange(bool narrow)
+{
+    const bool wide = !narrow;
     // As on the left, unless all of them are there: many tabs are looked for at the top.
     m_window.setTabPosition(Qt::RightDockWidgetArea, wide ? QTabWidget::South : QTabWidget::North);
     for (QDockWidget *dock : m_docks) {
@@ -161,6 +166,32 @@ void WindowLayout::reset()
     forgetHiding();
 }
 
+/// Which docks share a place, and where it is: all that a person changes by moving them, but
+/// neither sizes nor which are shown.
+std::vector<int> WindowLayout::arrangement() const
+{
+    std::vector<int> all;
+    for (QDockWidget *dock : m_docks) {
+        all.push_back(dock->isFloating() ? 0 : static_cast<int>(m_window.dockWidgetArea(dock)));
+        const QList<QDockWidget *> beside = m_window.tabifiedDockWidgets(dock);
+        for (QDockWidget *other : m_docks)
+            all.push_back(beside.contains(other) ? 1 : 0);
+    }
+    return all;
+}
+
+void WindowLayout::followWidth()
+{
+    if (m_isHidden || m_isAway || arrangement() != m_atFirst[isNarrow() ? 0 : 1])
+        return;
+    std::vector<bool> areShown;
+    for (const QDockWidget *dock : m_docks)
+        areShown.push_back(!dock->isHidden());
+    reset();
+    for (std::size_t i = 0; i < m_docks.size(); ++i)
+        m_docks[i]->setVisible(areShown[i]);
+}
+
 void WindowLayout::restore()
 {
     const QSize before = m_window.size();
@@ -176,7 +207,11 @@ void WindowLayout::restore()
 void WindowLayout::windowShown()
 {
     const bool away = std::exchange(m_isAway, false);
-    reset();                       // where docks are that the kept state does not know
+    const bool narrow = isNarrow();
+    for (const bool other : {!narrow, narrow}) { // and where docks are that the kept state lacks
+        arrange(other);
+        m_atFirst[other ? 1 : 0] = arrangement();
+    }
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     const auto firstIn = [this](Place place) {
         const auto found = std::find(m_places.begin(), m_places.end(), place);
@@ -188,6 +223,7 @@ void WindowLayout::windowShown()
     if (left && below && !isNarrow())
         shareColumn(m_window, left, below);
     m_window.restoreState(settings().windowState(), kVersion);
+    followWidth();
     setAway(away);
 }
 
@@ -233,6 +269,7 @@ void WindowLayout::bringBack()
         return;
     if (!m_window.restoreState(std::exchange(m_beforeHiding, {}), kVersion))
         reset();
+    followWidth();
 }
 
 void WindowLayout::show(QDockWidget *dock)

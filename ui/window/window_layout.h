@@ -47,6 +47,9 @@ public:
     bool isHidden() const { return m_isHidden; }
     /// Docks and tool bar away while there is no model to work on, and back as they were.
     void setAway(bool away);
+    /// Call when the window has another width. Docks that are still where a window of the other kind
+    /// (wide, narrow) has them go where this one has them; what the person has moved stays.
+    void followWidth();
     /// Brings a dock to the front, wherever it is; the others too, if all were hidden.
     void show(QDockWidget *dock);
 
@@ -61,6 +64,8 @@ private:
     void widenForTabs();
     void follow();
     void bringBack();
+    void arrange(bool narrow);
+    std::vector<int> arrangement() const;
     void forgetHiding();
 
     QMainWindow &m_window;
@@ -69,6 +74,7 @@ private:
     std::vector<Place> m_places;  // one a dock
     std::vector<char> m_areShown; // at first
     QByteArray m_beforeHiding;    // empty: nothing is hidden
+    std::vector<int> m_atFirst[2]; // the arrangements of a wide and of a narrow window
     bool m_isHidden = false, m_isAway = false;
 };
 
