@@ -15,7 +15,7 @@ Camera Interaction::Private::fittedToAll(const Camera &from) const
 {
     std::vector<Vec3> seen = outlinePoints(host.model(), view);
     seen.insert(seen.end(), seenBesides.begin(), seenBesides.end());
-    return fittedClearOfCube(from, seen, motion.viewport, fitMargins(motion.viewport, covered));
+    return fittedClear(from, seen, motion.viewport, fitMargins(motion.viewport, covered));
 }
 
 /// The view has other room: what fills it still does, unless somebody has looked closer or is at
@@ -44,8 +44,8 @@ void Interaction::fitAll(const Camera &from, double time, double duration)
 void Interaction::fit(std::span<const Vec3> points, double time, double duration)
 {
     const Vec2 &viewport = d->motion.viewport;
-    turnTo(fittedClearOfCube(targetCamera(), points, viewport, fitMargins(viewport, d->covered)),
-           time, duration);
+    turnTo(fittedClear(targetCamera(), points, viewport, fitMargins(viewport, d->covered)), time,
+           duration);
 }
 
 void Interaction::setCovered(std::vector<Box2> covered)

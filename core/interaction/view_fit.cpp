@@ -83,16 +83,42 @@ struct Reach
     }
 };
 
+/// What is seen at a place of the screen, px.
+bool isAnyIn(const Box2 &box, std::span<const Vec3> points, const Camera &camera,
+             const Vec2 &viewport)
+{
+    return std::any_of(points.begin(), points.end(), [&](const Vec3 &p) {
+        const Vec2 at = camera.toScreen(p, viewport);
+        return (at - box.min).minCoeff() > 0.0 && (box.max - at).minCoeff() > 0.0;
+    });
+}
+
+/// Wider at the sides where something of the points would be under what stands upright there.
+ViewMargins besideUpright(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
+                          const ViewMargins &margins)
+{
+    ViewMargins clear = margins;
+    for (const Box2 &box : margins.upright) {
+        const bool isRight = box.center().x() > 0.5 * viewport.x();
+        const double taken = kBesideCover + (isRight ? viewport.x() - box.min.x() : box.max.x());
+        if (taken > (isRight ? clear.right : clear.left) &&
+            taken + (isRight ? clear.left : clear.right) <= (1.0 - kLeastRoom) * viewport.x() &&
+            isAnyIn(box, points, fitted(camera, points, viewport, clear), viewport))
+            (isRight ? clear.right : clear.left) = taken;
+    }
+    return clear;
+}
+
 } // namespace
 
 ViewMargins fitMargins(const Vec2 &viewport, std::span<const Box2> covered)
 {
     const Vec2 free = kFitMargin * viewport;
-    ViewMargins margins{free.x(), free.y(), free.x(), free.y()};
+    ViewMargins margins{free.x(), free.y(), free.x(), free.y(), {}};
     for (const Box2 &box : covered) {
         if (box.size().x() < box.size().y())
-            continue; // what stands upright leaves room beside it
-        if (box.max.y() < 0.5 * viewport.y())
+            margins.upright.push_back(box);
+        else if (box.max.y() < 0.5 * viewport.y())
             margins.top = std::max(margins.top, box.max.y() + kBesideCover);
         else if (box.min.y() > 0.5 * viewport.y())
             margins.bottom = std::max(margins.bottom, viewport.y() - box.min.y() + kBesideCover);
@@ -110,7 +136,8 @@ ViewMargins withRoomAround(const ViewMargins &margins, const Vec2 &viewport, dou
     const double rest = 0.5 * (1.0 - share);
     const double x = rest * std::max(0.0, viewport.x() - margins.left - margins.right);
     const double y = rest * std::max(0.0, viewport.y() - margins.top - margins.bottom);
-    return {margins.left + x, margins.top + y, margins.right + x, margins.bottom + y};
+    return {margins.left + x, margins.top + y, margins.right + x, margins.bottom + y,
+            margins.upright};
 }
 
 std::vector<Vec3> outlinePoints(const Model &model, const ViewState &view)
@@ -196,20 +223,18 @@ Camera fitted(const Camera &camera, std::span<const Vec3> points, const Vec2 &vi
     return result;
 }
 
-Camera fittedClearOfCube(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
-                         const ViewMargins &margins)
+Camera fittedClear(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
+                   const ViewMargins &margins)
 {
-    const Camera whole = fitted(camera, points, viewport, margins);
+    const ViewMargins clear = besideUpright(camera, points, viewport, margins);
+    const Camera whole = fitted(camera, points, viewport, clear);
     const std::optional<Vec2> cube = cubeCentre(viewport);
-    const double half = 0.5 * kCubeRoom;
-    const auto isUnder = [&](const Vec3 &p) {
-        return (whole.toScreen(p, viewport) - *cube).cwiseAbs().maxCoeff() < half;
-    };
-    if (!cube || std::none_of(points.begin(), points.end(), isUnder))
+    const Vec2 half = Vec2::Constant(0.5 * kCubeRoom);
+    if (!cube || !isAnyIn({*cube - half, *cube + half}, points, whole, viewport))
         return whole;
-    ViewMargins beside = margins, below = margins;
-    beside.right = std::max(beside.right, viewport.x() - cube->x() + half);
-    below.top = std::max(below.top, cube->y() + half);
+    ViewMargins beside = clear, below = clear;
+    beside.right = std::max(beside.right, viewport.x() - cube->x() + half.x());
+    below.top = std::max(below.top, cube->y() + half.y());
     const Camera a = fitted(camera, points, viewport, beside),
                  b = fitted(camera, points, viewport, below);
     return a.millimetresPerPixel <= b.millimetresPerPixel ? a : b;

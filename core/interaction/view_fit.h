@@ -15,11 +15,13 @@ namespace fff {
 struct ViewMargins
 {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+    std::vector<Box2> upright = {}; // what stands over the view and is higher than wide: it leaves
+                                    // room beside it
 };
 
 /// 8 % at each side; more where something stands over the view along its upper or lower edge.
-/// covered  boxes of all that does, px: those that are higher than wide, or cross the view's
-///          middle, do not count
+/// covered  boxes of all that does, px: those that are wider than high and cross the view's middle
+///          do not count
 ViewMargins fitMargins(const Vec2 &viewport, std::span<const Box2> covered);
 
 /// So much more at each side that what fits between them takes this part of the room that they
@@ -36,8 +38,9 @@ std::vector<Vec3> outlinePoints(const Model &model, const std::vector<SectionRef
 /// points: world, mm; none: the ground's 20 cm.
 Camera fitted(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
               const ViewMargins &margins);
-/// The same, and none of the points under the view cube: beside or below it, where more is seen.
-Camera fittedClearOfCube(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
+/// The same, and none of the points under the view cube: beside or below it, where more is seen;
+/// nor, as far as that leaves room, under what stands upright.
+Camera fittedClear(const Camera &camera, std::span<const Vec3> points, const Vec2 &viewport,
                          const ViewMargins &margins);
 /// The corners of a box; empty as no points. margins: as of a view that nothing stands over.
 Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport);

@@ -106,12 +106,12 @@ Camera fittedAmid(double share, const Session &session, const Interaction &inter
     const ViewMargins margins = fitMargins(viewport, interaction.covered());
     const std::vector<Vec3> selected = selectedPoints(session, interaction);
     const auto near = [&](double part) {
-        return fittedClearOfCube(interaction.targetCamera(), selected, viewport,
-                                 withRoomAround(margins, viewport, part));
+        return fittedClear(interaction.targetCamera(), selected, viewport,
+                           withRoomAround(margins, viewport, part));
     };
     const Camera all =
-        fittedClearOfCube(interaction.targetCamera(),
-                          outlinePoints(session.committed(), interaction.view()), viewport, margins);
+        fittedClear(interaction.targetCamera(),
+                    outlinePoints(session.committed(), interaction.view()), viewport, margins);
     const Camera camera = near(share);
     const double closer = all.millimetresPerPixel / camera.millimetresPerPixel;
     if (closer <= 1.0)

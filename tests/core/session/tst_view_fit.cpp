@@ -157,6 +157,33 @@ private Q_SLOTS:
                 100.0);
     }
 
+    // Wrong: the key of the colours lies over the foot that is red.
+    void nothingIsUnderWhatStandsUpright()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+        const Vec2 viewport(700.0, 520.0);
+        desk.interaction.setViewport(viewport);
+        int smaller = 0;
+        for (const Box2 &key : {Box2{{584.0, 110.0}, {692.0, 357.0}}, Box2{{0, 60}, {100, 500}}})
+            for (const char *name : kViews) {
+                Camera camera;
+                QVERIFY(orientationOfView(name, camera.orientation));
+                desk.interaction.setCovered({});
+                desk.interaction.fitAll(camera, desk.time, 0.0);
+                const double whole = desk.interaction.camera().millimetresPerPixel;
+                desk.interaction.setCovered({key});
+                desk.interaction.fitAll(camera, desk.time, 0.0);
+                for (const Vec3 &p : outlinePoints(desk.session.model(), ViewState())) {
+                    const Vec2 at = desk.interaction.camera().toScreen(p, viewport);
+                    QVERIFY2(!((at - key.min).minCoeff() > 0.0 && (key.max - at).minCoeff() > 0.0),
+                             name);
+                }
+                smaller += desk.interaction.camera().millimetresPerPixel > whole ? 1 : 0;
+            }
+        QVERIFY(smaller > 0);
+    }
+
     void whatIsHiddenTakesNoRoom()
     {
         Desk desk;
