@@ -330,10 +330,6 @@
         <translation>Schlitz schmaler als das Werkzeug</translation>
     </message>
     <message>
-        <source>Rings of joints</source>
-        <translation>Ringe aus Verbindungen</translation>
-    </message>
-    <message>
         <source>No slit lets them slide together: the negative clearance leaves it no width. Make the clearance larger.</source>
         <translation>Kein Schlitz lässt sie zusammengleiten: Das negative Spiel lässt ihm keine Breite. Ein größeres Spiel hilft.</translation>
     </message>
@@ -681,10 +677,6 @@
     <message>
         <source>Strength unknown. The stress in %1 could not be worked out.</source>
         <translation>Festigkeit unbekannt. Die Spannung in %1 konnte nicht ermittelt werden.</translation>
-    </message>
-    <message>
-        <source>Pulled at. The joint of %1 and %2 is pulled with %3 N; the others hold without it.</source>
-        <translation>Auf Zug. An der Verbindung von %1 und %2 ziehen %3 N; die anderen halten ohne sie.</translation>
     </message>
     <message>
         <source>Strength unknown</source>
@@ -1058,10 +1050,6 @@
         <translation>ein Problem gelöst</translation>
     </message>
     <message>
-        <source>Pulled at</source>
-        <translation>Auf Zug</translation>
-    </message>
-    <message>
         <source>%1 breaks %2 from %3.</source>
         <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a mass</extracomment>
         <translation>%1 bricht %2 ab %3.</translation>
@@ -1119,28 +1107,6 @@
     <message>
         <source>Held by friction</source>
         <translation>Von Reibung gehalten</translation>
-    </message>
-    <message>
-        <source>%1 form a ring: keep to the order of the steps.</source>
-        <translation>%1 bilden einen Ring: die Reihenfolge der Schritte einhalten.</translation>
-    </message>
-    <message>
-        <source>%1 form a ring: each of these has to go in before the others.</source>
-        <translation>%1 bilden einen Ring: Jede davon müsste vor den anderen hinein.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rings of sections: keep to the order of the steps.</source>
-        <translation>
-            <numerusform>%n Ring aus Scheiben: die Reihenfolge der Schritte einhalten.</numerusform>
-            <numerusform>%n Ringe aus Scheiben: die Reihenfolge der Schritte einhalten.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
-        <translation>
-            <numerusform>%n Ring aus Scheiben, in dem jede vor den anderen hinein müsste.</numerusform>
-            <numerusform>%n Ringe aus Scheiben, in denen jede vor den anderen hinein müsste.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Held by friction. The joint of %1 and %2 is pulled with %3 N, which only a tight fit holds.</source>
@@ -1224,10 +1190,6 @@
     <message>
         <source>Cannot be assembled yet</source>
         <translation>Noch nicht zusammenbaubar</translation>
-    </message>
-    <message>
-        <source>Falls at a touch: tables lean more. Tips past %1, margin %2.</source>
-        <translation>Fällt beim Antippen: Tische stehen schiefer. Kippt über %1, Reserve %2.</translation>
     </message>
     <message>
         <source>Falls at a touch</source>
@@ -1431,6 +1393,44 @@
     <message>
         <source>Let its feet end on one plane.</source>
         <translation>Lass seine Füße auf einer Ebene enden.</translation>
+    </message>
+    <message>
+        <source>Carries nothing. The joint of %1 and %2 is pulled apart by %3 N; the others hold without it.</source>
+        <translation>Trägt nichts. Die Verbindung von %1 und %2 wird mit %3 N auseinandergezogen; die anderen halten ohne sie.</translation>
+    </message>
+    <message>
+        <source>Carries nothing</source>
+        <translation>Trägt nichts</translation>
+    </message>
+    <message>
+        <source>%1 are joined in a ring: put them together in the order of the steps.</source>
+        <translation>%1 sind im Ring verbunden: in der Reihenfolge der Schritte zusammenbauen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Sections are joined in %n rings: put them together in the order of the steps.</source>
+        <translation>
+            <numerusform>Scheiben sind in %n Ring verbunden: in der Reihenfolge der Schritte zusammenbauen.</numerusform>
+            <numerusform>Scheiben sind in %n Ringen verbunden: in der Reihenfolge der Schritte zusammenbauen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Joined in a ring</source>
+        <translation>Im Ring verbunden</translation>
+    </message>
+    <message>
+        <source>Falls at a touch: tilted by %1 it tips over. Margin %2.</source>
+        <translation>Fällt bei einer Berührung: um %1 geneigt kippt es um. Reserve %2.</translation>
+    </message>
+    <message>
+        <source>%1 are joined in a ring: whichever goes in last has to slide onto two others at once.</source>
+        <translation>%1 sind im Ring verbunden: Welche auch zuletzt kommt, sie muss auf zwei andere zugleich geschoben werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Sections are joined in %n rings: whichever of a ring goes in last has to slide onto two others at once.</source>
+        <translation>
+            <numerusform>Scheiben sind in %n Ring verbunden: Welche auch zuletzt kommt, sie muss auf zwei andere zugleich geschoben werden.</numerusform>
+            <numerusform>Scheiben sind in %n Ringen verbunden: Welche eines Rings auch zuletzt kommt, sie muss auf zwei andere zugleich geschoben werden.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -149,20 +149,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n rings of sections: keep to the order of the steps.</source>
-        <translation>
-            <numerusform>%n ring of sections: keep to the order of the steps.</numerusform>
-            <numerusform>%n rings of sections: keep to the order of the steps.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rings of sections, in each of which every section has to go in before the others.</source>
-        <translation>
-            <numerusform>%n ring of sections, in which every section has to go in before the others.</numerusform>
-            <numerusform>%n rings of sections, in each of which every section has to go in before the others.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Cannot be assembled yet. It could be if %n pairs of sections did not overlap.</source>
         <translation>
             <numerusform>Cannot be assembled yet. It could be if %n pair of sections did not overlap.</numerusform>
@@ -189,6 +175,20 @@
         <translation>
             <numerusform>1 section turned</numerusform>
             <numerusform>%n sections turned</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Sections are joined in %n rings: put them together in the order of the steps.</source>
+        <translation>
+            <numerusform>Sections are joined in %n ring: put them together in the order of the steps.</numerusform>
+            <numerusform>Sections are joined in %n rings: put them together in the order of the steps.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Sections are joined in %n rings: whichever of a ring goes in last has to slide onto two others at once.</source>
+        <translation>
+            <numerusform>Sections are joined in %n ring: whichever goes in last has to slide onto two others at once.</numerusform>
+            <numerusform>Sections are joined in %n rings: whichever of a ring goes in last has to slide onto two others at once.</numerusform>
         </translation>
     </message>
 </context>

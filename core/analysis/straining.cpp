@@ -193,13 +193,18 @@ std::vector<char> bodiesWithForces(const Equilibrium &equilibrium, std::size_t b
     return has;
 }
 
+Support supportOf(const Structure &loaded, const StrengthRules &rules)
+{
+    Support support = rules.support;
+    if (isPushedSideways(loaded))
+        support.friction = std::max(support.friction, rules.footFriction);
+    return support;
+}
+
 void Straining::balance(double scale, Strength &strength) const
 {
     const Structure loaded = loadedBy(scale, strength);
-    Support support = m_rules.support;
-    if (isPushedSideways(loaded))
-        support.friction = std::max(support.friction, m_rules.footFriction);
-    strength.envelope = solveEnvelope(loaded, support, m_caches.equilibria);
+    strength.envelope = solveEnvelope(loaded, supportOf(loaded, m_rules), m_caches.equilibria);
     if (m_rules.isElastic && strength.equilibrium().indeterminacy() > 0 &&
         strength.equilibrium().balance() == Balance::Stands)
         bend(scale, loaded, strength);

@@ -11,6 +11,9 @@ namespace fff {
 /// is.
 std::vector<char> bodiesWithForces(const Equilibrium &equilibrium, std::size_t bodies);
 
+/// What holds a model up under these loads: feet need no friction unless something pushes sideways.
+Support supportOf(const Structure &loaded, const StrengthRules &rules);
+
 /// A structure, the solutions that count, and the bodies' stresses under them.
 class Straining
 {

@@ -207,12 +207,22 @@ double lowestOf(const Box3 &box, const Ground &ground)
     return ground.above(centre) - ground.up.cwiseAbs().dot(half);
 }
 
+/// Whether some of it may touch the ground.
+bool isLowEnough(const Bodies &bodies, const std::vector<int> &group)
+{
+    return std::any_of(group.begin(), group.end(), [&](int body) {
+        return bodies.at(body).contact().lowest <= kGroundSunk;
+    });
+}
+
 /// Of each group that stands by itself. The only one leans as it will on the table.
 void addFeet(const Analysis &analysis, Structure &structure)
 {
     const Bodies &bodies = analysis.bodies;
     const auto groups = heldGroups(bodies, analysis.assembly.joints, analysis.grips);
     for (const std::vector<int> &group : groups) {
+        if (!isLowEnough(analysis.bodies, group))
+            continue; // of thousands of chips in the air none has to be weighed
         const Stability stands = stabilityOf(analysis, group);
         if (stands.contacts == 0)
             continue;

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/loose_pieces.h"
 
 #include "core/analysis/findings/ending_before.h"
+#include "core/assembly/cut_section.h"
 #include "core/assembly/joint_editing.h"
 #include "core/operations/evaluate.h"
 
@@ -110,6 +111,14 @@ Vec2 sizeOf(const Body &piece)
     return bounds(piece.outline().region.outer).size();
 }
 
+/// A hole that reaches the contour on both of its sides needs no slits for it.
+bool isCutBySlits(const Analysis &analysis, int section)
+{
+    const auto i = static_cast<std::size_t>(section);
+    return !analysis.assembly.slits[i].empty() &&
+           CutSection(*analysis.model.section(i)->shape, {}, nullptr).parts().size() == 1;
+}
+
 /// What slits cut off, of those sections, and what hangs on it.
 Finding severedOf(const Analysis &analysis, const std::vector<int> &group,
                   const std::vector<int> &pieces)
@@ -178,11 +187,10 @@ void findLoosePieces(const Looked &at, std::vector<Finding> &found)
         // Bodies of a section come the largest first.
         const Body &largest = bodies.at(*std::min_element(pieces.begin(), pieces.end()));
         const Vec2 size = sizeOf(largest);
-        Finding finding = makeFinding(
-            kLoosePieces, Severity::Error,
-            LoosePieces{bodies.countOf(section), static_cast<int>(pieces.size()), size.x(),
-                        size.y(),
-                        !at.analysis.assembly.slits[static_cast<std::size_t>(section)].empty()});
+        Finding finding =
+            makeFinding(kLoosePieces, Severity::Error,
+                        LoosePieces{bodies.countOf(section), static_cast<int>(pieces.size()),
+                                    size.x(), size.y(), isCutBySlits(at.analysis, section)});
         finding.sections = {at.analysis.model.ref(static_cast<std::size_t>(section))};
         finding.at = largest.mass().centre;
         found.push_back(std::move(finding));

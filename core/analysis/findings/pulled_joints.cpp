@@ -1,6 +1,7 @@
 #include "core/analysis/findings/pulled_joints.h"
 
 #include "core/analysis/finding_action.h"
+#include "core/analysis/straining.h"
 #include "core/assembly/joint_editing.h"
 
 #include <algorithm>
@@ -19,13 +20,13 @@ Message pulledSentence(const Finding &finding, const Model &model)
     const double force = finding.details<PulledJoint>()->force;
     const bool isApart = finding.severity == Severity::Error;
     //: %3 is a number of newtons
-    return {
-        isApart
-            ? FFF_TEXT("Checks", "Pulled open. The joint of %1 and %2 is pulled apart by %3 N.")
-            : FFF_TEXT("Checks", "Pulled at. The joint of %1 and %2 is pulled with %3 N; the "
-                                 "others hold without it."),
-        {nameAt(finding, model, 0), nameAt(finding, model, 1),
-         Decimal{force, force < kLeastPull ? 3 : 1}}};
+    return {isApart
+                ? FFF_TEXT("Checks", "Pulled open. The joint of %1 and %2 is pulled apart by %3 N.")
+                : FFF_TEXT("Checks",
+                           "Carries nothing. The joint of %1 and %2 is pulled apart by %3 N; "
+                           "the others hold without it."),
+            {nameAt(finding, model, 0), nameAt(finding, model, 1),
+             Decimal{force, force < kLeastPull ? 3 : 1}}};
 }
 
 Message frictionSentence(const Finding &finding, const Model &model)
@@ -41,7 +42,7 @@ Message frictionSentence(const Finding &finding, const Model &model)
 Message pulledTitle(const Finding &finding)
 {
     return {finding.severity == Severity::Error ? FFF_TEXT("Checks", "Pulled open")
-                                                : FFF_TEXT("Checks", "Pulled at"),
+                                                : FFF_TEXT("Checks", "Carries nothing"),
             {}};
 }
 
@@ -114,9 +115,19 @@ void findPulled(const Analysis &analysis, const Strength &strength, std::vector<
                  links[link].asked, found);
 }
 
+/// It would stand in slits that hold nothing against being pulled apart: of several ways to share
+/// the load one does without.
+bool standsWithoutGrip(const Strength &strength, const StrengthRules &rules)
+{
+    Structure slack = strength.made.structure;
+    for (Link &link : slack.links)
+        link.grip = 0.0;
+    return solveEquilibrium(slack, supportOf(slack, rules)).balance() == Balance::Stands;
+}
+
 /// What hangs in slits that are not made for it, and would come out of looser ones.
 void findHeldByFriction(const Analysis &analysis, const Strength &strength,
-                        std::vector<Finding> &found)
+                        const StrengthRules &rules, std::vector<Finding> &found)
 {
     const std::vector<LinkForce> &links = strength.equilibrium().links;
     const auto pullOf = [&](std::size_t i) {
@@ -124,7 +135,10 @@ void findHeldByFriction(const Analysis &analysis, const Strength &strength,
                             strength.made.structure.links[i].grip > 0.0;
         return isHeld ? links[i].pull : -1.0;
     };
-    for (const auto &[joint, link] : strongestPulls(strength, pullOf))
+    const std::map<int, std::size_t> pulled = strongestPulls(strength, pullOf);
+    if (pulled.empty() || standsWithoutGrip(strength, rules))
+        return;
+    for (const auto &[joint, link] : pulled)
         tell(analysis, strength, link, kHeldByFriction, Severity::Note, links[link].pull, found);
 }
 
@@ -141,10 +155,10 @@ const FindingKind kHeldByFriction{"heldByFriction", Subject::Strength,
                                   flipPulled};
 
 void findPulledJoints(const Analysis &analysis, const Strength &strength,
-                      std::vector<Finding> &found)
+                      const StrengthRules &rules, std::vector<Finding> &found)
 {
     findPulled(analysis, strength, found);
-    findHeldByFriction(analysis, strength, found);
+    findHeldByFriction(analysis, strength, rules, found);
 }
 
 } // namespace fff

@@ -19,6 +19,6 @@ struct PulledJoint
 
 /// Each joint once, by its strongest pull.
 void findPulledJoints(const Analysis &analysis, const Strength &strength,
-                      std::vector<Finding> &found);
+                      const StrengthRules &rules, std::vector<Finding> &found);
 
 } // namespace fff

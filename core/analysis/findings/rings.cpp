@@ -14,15 +14,17 @@ Message ringsSentence(const Finding &finding, const Model &model)
     const Rings &rings = *finding.details<Rings>();
     if (rings.count == 1)
         return {rings.hasSteps
-                    ? FFF_TEXT("Checks", "%1 form a ring: keep to the order of the steps.")
-                    : FFF_TEXT("Checks",
-                               "%1 form a ring: each of these has to go in before the others."),
+                    ? FFF_TEXT("Checks", "%1 are joined in a ring: put them together in the order "
+                                         "of the steps.")
+                    : FFF_TEXT("Checks", "%1 are joined in a ring: whichever goes in last has to "
+                                         "slide onto two others at once."),
                 {namesOf(model, finding.sections)}};
     return {
         rings.hasSteps
-            ? FFF_TEXT_OF_MANY("Checks", "%n rings of sections: keep to the order of the steps.")
-            : FFF_TEXT_OF_MANY("Checks", "%n rings of sections, in each of which every "
-                                         "section has to go in before the others."),
+            ? FFF_TEXT_OF_MANY("Checks", "Sections are joined in %n rings: put them together in "
+                                         "the order of the steps.")
+            : FFF_TEXT_OF_MANY("Checks", "Sections are joined in %n rings: whichever of a ring "
+                                         "goes in last has to slide onto two others at once."),
         {},
         rings.count};
 }
@@ -36,7 +38,7 @@ ProblemLook ringsLook(const Finding &finding)
 
 } // namespace
 
-const FindingKind kRings{"cycle",       Subject::Joints, FFF_TEXT("Checks", "Rings of joints"),
+const FindingKind kRings{"cycle",       Subject::Joints, FFF_TEXT("Checks", "Joined in a ring"),
                          ringsSentence, nullptr,         ringsLook};
 
 void findRings(const LookedAtPlan &at, std::vector<Finding> &found)

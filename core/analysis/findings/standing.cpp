@@ -170,7 +170,7 @@ Message unsteadySentence(const Finding &finding, const Model &model)
     const bool falls = finding.severity == Severity::Error;
     return ofThese(
         finding, model,
-        {falls ? FFF_TEXT("Checks", "Falls at a touch: tables lean more. Tips past %1, margin %2.")
+        {falls ? FFF_TEXT("Checks", "Falls at a touch: tilted by %1 it tips over. Margin %2.")
                : FFF_TEXT("Checks", "Barely stands: the slightest push tips it over. Tips past %1, "
                                     "margin %2."),
          {angleOf(footing.tipAngle), lengthOf(footing.margin)}});

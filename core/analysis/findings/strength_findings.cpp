@@ -413,7 +413,7 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
     findVerdict(analysis, strength, bearable, rules, found);
     findMoving(analysis, strength, found);
     findPushedOver(strength, found);
-    findPulledJoints(analysis, strength, found);
+    findPulledJoints(analysis, strength, rules, found);
     findThinNecks(analysis, strength, found);
     for (const PlacedLoad &load : strength.made.besideLoads) {
         Finding finding = makeFinding(kWeightBeside, Severity::Note);

@@ -215,12 +215,13 @@ void TestPlanChecks::ringsAreNamed()
     lid = withSection(std::move(lid), polygonShape(rectangle(0, 0, 70, 70)),
                       {{-10, 20, 10}, Vec3::UnitX(), -Vec3::UnitZ()});
     QCOMPARE(cyclesSaid(lid).size(), 1);
-    QVERIFY(cyclesSaid(lid).front().contains(QStringLiteral("rings of sections")));
+    QVERIFY(cyclesSaid(lid).front().contains(QStringLiteral("joined in")));
     Finding ring = makeFinding(kRings, Severity::Note, Rings{1, true, {}});
     const Model model = evaluate(triangle());
     ring.sections = {model.ref(0), model.ref(1), model.ref(2)};
     QCOMPARE(findingText(ring, model),
-             QStringLiteral("Sections 1–3 form a ring: keep to the order of the steps."));
+             QStringLiteral("Sections 1–3 are joined in a ring: put them together in the order of "
+                            "the steps."));
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.
