@@ -3,12 +3,14 @@
 
 #include "core/analysis/finding.h"
 #include "core/analysis/findings/strength_findings.h"
+#include "core/assembly/joint_measures.h"
 #include "core/base/tolerances.h"
 #include "core/model/changes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,8 @@ struct Difference
     double angle = 0.0;                         // radians, by which one was swung
     int morePieces = 0;                         // sections that are cut into more pieces
     int shifted = 0;                            // joints whose slits meet elsewhere
+    int joined = 0;                             // joints of sections that had none with each other
+    std::optional<JointRef> one;                // of these
 };
 
 /// How far one frame is turned from the other, radians.
@@ -59,6 +63,31 @@ std::optional<Vec3> mouthOf(const Analysis &analysis, const Joint &joint)
         if (slit.joint == joint.id && slit.role == SlitRole::Slit && slit.isOpen)
             return analysis.model.section(host)->frame.directionToWorld(slit.mouth - slit.inner);
     return {};
+}
+
+/// mm; 0 where the joint has none.
+double longestSlit(const Model &model, const JointRef &joint)
+{
+    double longest = 0.0;
+    if (const auto state = jointState(model, joint))
+        for (const auto &slits : {measuresOfA(*state), measuresOfB(*state)})
+            for (const SlitMeasure &slit : slits)
+                longest = std::max(longest, slit.length);
+    return longest;
+}
+
+/// Joints of sections that are there before and after.
+void addJoined(const Analysis &before, const Analysis &after, Difference &difference)
+{
+    for (const Joint &joint : after.assembly.joints) {
+        const JointRef ref(after.model.ref(static_cast<std::size_t>(joint.a)),
+                           after.model.ref(static_cast<std::size_t>(joint.b)));
+        const int a = before.model.indexOf(ref.a), b = before.model.indexOf(ref.b);
+        if (a < 0 || b < 0 || before.assembly.joints.find(std::min(a, b), std::max(a, b)))
+            continue;
+        ++difference.joined;
+        difference.one = ref;
+    }
 }
 
 /// A stock that is of another thickness then.
@@ -118,6 +147,7 @@ Difference differenceOf(const Analysis &before, const Analysis &after)
         else if (was && is && std::abs(was->norm() - is->norm()) > kEqualEnds)
             ++difference.shifted;
     }
+    addJoined(before, after, difference);
     if (difference.moved.count + difference.swung.count + difference.reshaped.count > 0 ||
         thickened(before, after))
         difference.shifted = 0; // slits follow these
@@ -250,6 +280,13 @@ Message changesBetween(const Analysis &before, const Analysis &after,
         {FFF_TEXT("Checks", "%1 turned by %2"),
          {difference.swung.one, wholeAngleOf(difference.angle)}},
         FFF_TEXT_OF_MANY("Checks", "%n sections turned"));
+    const double slit = difference.joined == 1 ? longestSlit(after.model, *difference.one) : 0.0;
+    if (slit > 0.0)
+        //: %1 is a length
+        parts.push_back({FFF_TEXT("Checks", "a new joint with a slit of %1"), {lengthOf(slit)}});
+    else
+        add(difference.joined, {FFF_TEXT("Checks", "1 new joint"), {}},
+            FFF_TEXT_OF_MANY("Checks", "%n new joints"));
     //: %1 is the name of a section
     addSections(difference.reshaped, FFF_TEXT("Checks", "%1 reshaped"),
                 FFF_TEXT_OF_MANY("Checks", "%n sections reshaped"));

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void whatIsTurnedIsSaidToBe();
     void whatGoesDownIsSaidToDoSo();
     void eachChangeNamesItsSection();
+    void aNewJointIsToldWithItsSlit();
     void aLooseGroupThatGrowsIsNotNew();
     void oneMoreIsNew();
     void whatIsLessGraveIsSolved();
@@ -95,6 +96,17 @@ void TestTrialWords::eachChangeNamesItsSection()
     after = *renameSection(after, after.sections[4]->id, "Foot");
     after = *removeSections(after, std::vector{before.sections[3]->id});
     QCOMPARE(saidOf(before, after), QStringLiteral("Three reshaped, Foot added, Four deleted"));
+}
+
+// Wrong: a link that moves a section cuts a slit across another one, and nobody said so.
+void TestTrialWords::aNewJointIsToldWithItsSlit()
+{
+    Document before = withSection(newDocument(), polygonShape(rectangle(0, 0, 40, 60)), front());
+    before = withSection(std::move(before), polygonShape(rectangle(-20, 0, 20, 60)), side(200));
+    before = *renameSection(before, before.sections[1]->id, "Two");
+    const Document after = *moveSection(before, before.sections[1]->id, side(20));
+    QCOMPARE(saidOf(before, after),
+             QStringLiteral("Two moved by 180 mm, a new joint with a slit of 30 mm"));
 }
 
 // Wrong: "1 problem solved, new: Not connected" of what was loose and has one section more.
