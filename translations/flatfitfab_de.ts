@@ -1432,6 +1432,22 @@
             <numerusform>Scheiben sind in %n Ringen verbunden: Welche eines Rings auch zuletzt kommt, sie muss auf zwei andere zugleich geschoben werden.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a new joint with a slit of %1</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>eine neue Verbindung mit einem Schlitz von %1</translation>
+    </message>
+    <message>
+        <source>1 new joint</source>
+        <translation>1 neue Verbindung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new joints</source>
+        <translation>
+            <numerusform>%n neue Verbindung</numerusform>
+            <numerusform>%n neue Verbindungen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -191,6 +191,13 @@
             <numerusform>Sections are joined in %n rings: whichever of a ring goes in last has to slide onto two others at once.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n new joints</source>
+        <translation>
+            <numerusform>%n new joint</numerusform>
+            <numerusform>%n new joints</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -41,6 +41,13 @@ void shareColumn(QMainWindow &window, QDockWidget *above, QDockWidget *below)
         window.resizeDocks({above, below}, {column - share, share}, Qt::Vertical);
 }
 
+Qt::DockWidgetArea areaOf(WindowLayout::Place place)
+{
+    if (place == WindowLayout::Place::Below)
+        return Qt::BottomDockWidgetArea;
+    return place == WindowLayout::Place::Right ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea;
+}
+
 /// saveGeometry() knows the screen it was on; that one may be gone or smaller.
 bool isOnScreen(const QRect &window)
 {
@@ -109,35 +116,27 @@ void WindowLayout::widenForTabs()
         m_window.resizeDocks({first}, {width}, Qt::Horizontal);
 }
 
-void WindowLayout::reset()
+WindowLayout::Place WindowLayout::placeOf(std::size_t dock, bool narrow) const
 {
-    arrange(isNarrow());
+    return narrow && m_places[dock] != Place::Below ? Place::Right : m_places[dock];
 }
 
-void WindowLayout::arrange(bool narrow)
+void WindowLayout::reset()
 {
-    const bool wide = !narrow;
+    const bool narrow = isNarrow(), wide = !narrow;
     // As on the left, unless all of them are there: many tabs are looked for at the top.
     m_window.setTabPosition(Qt::RightDockWidgetArea, wide ? QTabWidget::South : QTabWidget::North);
     for (QDockWidget *dock : m_docks) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
     }
-    const auto placeOf = [&](std::size_t i) {
-        return wide || m_places[i] == Place::Below ? m_places[i] : Place::Right;
-    };
-    const auto areaOf = [](Place place) {
-        if (place == Place::Below)
-            return Qt::BottomDockWidgetArea;
-        return place == Place::Right ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea;
-    };
     QDockWidget *first[4] = {nullptr, nullptr, nullptr, nullptr}; // of each place
     for (std::size_t i = 0; i < m_docks.size(); ++i) {
-        QDockWidget *&leader = first[static_cast<int>(placeOf(i))];
+        QDockWidget *&leader = first[static_cast<int>(placeOf(i, narrow))];
         if (leader)
             continue;
         leader = m_docks[i];
-        m_window.addDockWidget(areaOf(placeOf(i)), leader);
+        m_window.addDockWidget(areaOf(placeOf(i, narrow)), leader);
     }
     QDockWidget *const right = first[static_cast<int>(Place::Right)],
                        *const left = first[static_cast<int>(Place::Left)],
@@ -146,7 +145,7 @@ void WindowLayout::arrange(bool narrow)
     if (left && below) // before tabs: what is split off a tab becomes another one
         m_window.splitDockWidget(left, below, Qt::Vertical);
     for (std::size_t i = 0; i < m_docks.size(); ++i) {
-        QDockWidget *leader = first[static_cast<int>(placeOf(i))];
+        QDockWidget *leader = first[static_cast<int>(placeOf(i, narrow))];
         if (m_docks[i] != leader)
             m_window.tabifyDockWidget(leader, m_docks[i]);
         m_docks[i]->setVisible(m_areShown[i] != 0);
@@ -166,23 +165,28 @@ void WindowLayout::arrange(bool narrow)
     forgetHiding();
 }
 
-/// Which docks share a place, and where it is: all that a person changes by moving them, but
-/// neither sizes nor which are shown.
-std::vector<int> WindowLayout::arrangement() const
+/// Whether no dock was moved since a window of this kind was arranged; sizes, and which are shown,
+/// are of no account.
+bool WindowLayout::isAsAtFirst(bool narrow) const
 {
-    std::vector<int> all;
-    for (QDockWidget *dock : m_docks) {
-        all.push_back(dock->isFloating() ? 0 : static_cast<int>(m_window.dockWidgetArea(dock)));
+    for (std::size_t i = 0; i < m_docks.size(); ++i) {
+        QDockWidget *dock = m_docks[i];
+        if (dock->isFloating() || m_window.dockWidgetArea(dock) != areaOf(placeOf(i, narrow)))
+            return false;
+        if (dock->isHidden())
+            continue; // Qt does not say of those whose tabs they would be
         const QList<QDockWidget *> beside = m_window.tabifiedDockWidgets(dock);
-        for (QDockWidget *other : m_docks)
-            all.push_back(beside.contains(other) ? 1 : 0);
+        for (std::size_t k = 0; k < i; ++k)
+            if (!m_docks[k]->isHidden() &&
+                beside.contains(m_docks[k]) != (placeOf(k, narrow) == placeOf(i, narrow)))
+                return false;
     }
-    return all;
+    return true;
 }
 
 void WindowLayout::followWidth()
 {
-    if (m_isHidden || m_isAway || arrangement() != m_atFirst[isNarrow() ? 0 : 1])
+    if (m_isHidden || m_isAway || isAsAtFirst(isNarrow()) || !isAsAtFirst(!isNarrow()))
         return;
     std::vector<bool> areShown;
     for (const QDockWidget *dock : m_docks)
@@ -207,11 +211,7 @@ void WindowLayout::restore()
 void WindowLayout::windowShown()
 {
     const bool away = std::exchange(m_isAway, false);
-    const bool narrow = isNarrow();
-    for (const bool other : {!narrow, narrow}) { // and where docks are that the kept state lacks
-        arrange(other);
-        m_atFirst[other ? 1 : 0] = arrangement();
-    }
+    reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     const auto firstIn = [this](Place place) {
         const auto found = std::find(m_places.begin(), m_places.end(), place);

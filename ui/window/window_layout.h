@@ -64,8 +64,8 @@ private:
     void widenForTabs();
     void follow();
     void bringBack();
-    void arrange(bool narrow);
-    std::vector<int> arrangement() const;
+    Place placeOf(std::size_t dock, bool narrow) const;
+    bool isAsAtFirst(bool narrow) const;
     void forgetHiding();
 
     QMainWindow &m_window;
@@ -74,7 +74,6 @@ private:
     std::vector<Place> m_places;  // one a dock
     std::vector<char> m_areShown; // at first
     QByteArray m_beforeHiding;    // empty: nothing is hidden
-    std::vector<int> m_atFirst[2]; // the arrangements of a wide and of a narrow window
     bool m_isHidden = false, m_isAway = false;
 };
 

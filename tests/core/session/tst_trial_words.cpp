@@ -106,7 +106,7 @@ void TestTrialWords::aNewJointIsToldWithItsSlit()
     before = *renameSection(before, before.sections[1]->id, "Two");
     const Document after = *moveSection(before, before.sections[1]->id, side(20));
     QCOMPARE(saidOf(before, after),
-             QStringLiteral("Two moved by 180 mm, a new joint with a slit of 30 mm"));
+             QStringLiteral("Two moved by 180\u202Fmm, a new joint with a slit of 30\u202Fmm"));
 }
 
 // Wrong: "1 problem solved, new: Not connected" of what was loose and has one section more.
