@@ -189,7 +189,7 @@ void TestStrengthEdits::samples()
         const QString what = following.look(document);
         QVERIFY2(what.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(i).arg(what)));
     }
-    QVERIFY(following.standing() > edits / 3);
+    QVERIFY(following.standing() > rounds(edits) / 3);
 }
 
 FFF_TEST(TestStrengthEdits)
