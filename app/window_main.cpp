@@ -4,6 +4,7 @@
 #include "ui/base/field_style.h"
 #include "ui/base/focus_frame.h"
 #include "ui/base/translations.h"
+#include "ui/settings/log.h"
 #include "ui/settings/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/script_player.h"
@@ -12,6 +13,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
+#include <QSysInfo>
 #include <QTextStream>
 
 #include <algorithm>
@@ -19,7 +21,8 @@
 
 namespace {
 
-const QString kCopy = QStringLiteral("copy"), kPlay = QStringLiteral("play");
+const QString kCopy = QStringLiteral("copy"), kPlay = QStringLiteral("play"),
+              kSafe = QStringLiteral("safe-mode");
 
 void complain(const fff::Error &error)
 {
@@ -64,6 +67,8 @@ void describe(QCommandLineParser &parser)
     parser.addOption({kPlay,
                       QCoreApplication::translate("main", "Plays a script of presses and moves."),
                       QCoreApplication::translate("main", "SCRIPT")});
+    parser.addOption({kSafe, QCoreApplication::translate(
+                                 "main", "Starts without what was set, and keeps no settings.")});
 }
 
 /// Whether it is only asked what there is, which needs no display.
@@ -118,6 +123,13 @@ int main(int argc, char *argv[])
     QGuiApplication::setDesktopFileName(QStringLiteral("org.flatfitfab.FlatFitFab"));
     QApplication::setApplicationDisplayName(QString()); // the window's title names the program
 
+    // Before the first words: the language is a setting.
+    if (QCoreApplication::arguments().contains(QStringLiteral("--") + kSafe))
+        fff::ui::Settings::startSafely();
+    fff::ui::keepLog(fff::ui::Settings::dataFolder());
+    fff::ui::noteInLog(QStringLiteral("started: FlatFitFab " FFF_VERSION ", Qt %1, %2, %3")
+                           .arg(QLatin1String(qVersion()), QGuiApplication::platformName(),
+                                QSysInfo::prettyProductName()));
     fff::ui::installTranslations(application);
     std::setlocale(LC_NUMERIC, "C"); // Qt's numbers follow QLocale; what is C's reads files
 

@@ -14532,5 +14532,9 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>SCRIPT</source>
         <translation>SKRIPT</translation>
     </message>
+    <message>
+        <source>Starts without what was set, and keeps no settings.</source>
+        <translation>Startet ohne das, was eingestellt wurde, und behält keine Einstellungen.</translation>
+    </message>
 </context>
 </TS>

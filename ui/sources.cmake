@@ -115,6 +115,7 @@ target_sources(fff_ui PRIVATE
     files/file_drop.cpp
     files/file_stamp.cpp
     files/format_filters.cpp
+    files/new_model.cpp
     files/progress.cpp
     files/recent_menu.cpp
     files/replace_question.cpp
@@ -158,9 +159,11 @@ target_sources(fff_ui PRIVATE
     properties/turning_choices.cpp
     properties/varying_rows.cpp
     settings/check_rules.cpp
+    settings/log.cpp
     settings/places.cpp
     settings/settings.cpp
     settings/settings_checks.cpp
+    settings/settings_store.cpp
     settings/system_wishes.cpp
     sheets/layout_group.cpp
     sheets/part_hand.cpp

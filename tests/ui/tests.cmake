@@ -44,6 +44,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/properties/tst_choice_box
     ui/properties/tst_link_row
     ui/properties/tst_slider_field
+    ui/settings/tst_log
     ui/settings/tst_places
     ui/settings/tst_settings
     ui/sheets/tst_sheet_properties

@@ -1,6 +1,7 @@
 #include "ui/base/file_dialog.h"
 
 #include "ui/base/theme.h"
+#include "ui/settings/settings.h"
 
 #include <QAbstractItemView>
 #include <QCompleter>
@@ -13,6 +14,8 @@ namespace fff::ui {
 
 QString documentsFolder()
 {
+    if (const QString folder = settings().workFolder(); !folder.isEmpty())
+        return folder;
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }

@@ -1,5 +1,7 @@
 #include "ui/dialogs/libraries.h"
 
+#include "ui/settings/log.h"
+
 #include <QFile>
 #include <QGuiApplication>
 #include <QLocale>
@@ -12,6 +14,8 @@
 namespace fff::ui {
 
 namespace {
+
+constexpr int kLogLines = 100;
 
 const Library kLibraries[] = {
     {"FlatFitFab", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "This program"),
@@ -103,6 +107,8 @@ QString versionReport()
                      .arg(qRound(100 * screen->devicePixelRatio()));
     }
     lines += QStringLiteral("Language: ") + QLocale().name();
+    if (const QString log = endOfLog(kLogLines); !log.isEmpty())
+        lines += QStringLiteral("Log:\n") + log;
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -16,6 +16,7 @@
 #include "ui/files/failures.h"
 #include "ui/files/format_filters.h"
 #include "ui/files/mesh_import.h"
+#include "ui/files/new_model.h"
 #include "ui/files/progress.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/settings.h"
@@ -56,10 +57,16 @@ bool DocumentFiles::startNew()
     if (!mayClose())
         return false;
     m_messages.dismiss();
-    m_bench.session().reset(newDocument());
-    m_bench.showAll("front");
-    setPath({}, false, false);
+    begin();
     return true;
+}
+
+void DocumentFiles::begin()
+{
+    m_new = newModel();
+    m_bench.session().reset(m_new);
+    m_bench.showAll(m_new.sections.empty() ? "front" : "iso1");
+    setPath({}, false, false);
 }
 
 bool DocumentFiles::open()
@@ -351,7 +358,9 @@ QString DocumentFiles::name() const
 
 bool DocumentFiles::isUntouched() const
 {
-    return isEmpty() && m_bench.session().history()->count() == 0;
+    const Session &session = m_bench.session();
+    return m_path.isEmpty() && session.history()->count() == 0 &&
+           session.committed().document == m_new;
 }
 
 bool DocumentFiles::isEmpty() const

@@ -38,6 +38,9 @@ public:
     DocumentFiles(Workbench &bench, const CheckList &checks, MessageBar &messages,
                   StatusLine &status, QWidget &window);
 
+    /// A new model, whatever there was.
+    void begin();
+
     /// Ask for what is not given. False when nothing was done.
     bool startNew();
     bool open(); // says which with chosen()
@@ -114,6 +117,7 @@ private:
     StatusLine &m_status;
     QWidget &m_window;
     Exporting *m_exporting;
+    Document m_new;          // what it began as
     QString m_path;          // where the document is, or would be saved by default
     bool m_isNative = false; // saving may overwrite it
     bool m_isOnDisk = false; // it was read from there or written there

@@ -25,6 +25,19 @@ Places ofSystem()
             Paths::writableLocation(Paths::GenericCacheLocation) + kOwnFolder};
 }
 
+QStringList defaultsFor(const QString &programFolder)
+{
+    using Paths = QStandardPaths;
+    QStringList folders{programFolder};
+    const QString own = Paths::writableLocation(Paths::GenericConfigLocation);
+    for (const QString &folder : Paths::standardLocations(Paths::GenericConfigLocation))
+        if (folder != own) // what is there is the person's
+            folders += folder + kOwnFolder;
+    for (QString &folder : folders)
+        folder += QStringLiteral("/defaults.ini");
+    return folders;
+}
+
 /// The folder that portable.txt names; empty when it names none, nothing without the file.
 std::optional<QString> wishOf(const QString &programFolder)
 {
@@ -72,8 +85,9 @@ std::optional<Places> portablePlaces(const QString &programFolder)
 
 Places placesFor(const QString &programFolder)
 {
-    const std::optional<Places> portable = portablePlaces(programFolder);
-    return portable ? *portable : ofSystem();
+    Places found = portablePlaces(programFolder).value_or(ofSystem());
+    found.defaults = defaultsFor(programFolder);
+    return found;
 }
 
 Places places()
@@ -81,7 +95,9 @@ Places places()
     // What is beside the program is asked for once: a stick may be pulled out.
     static const std::optional<Places> portable =
         portablePlaces(QCoreApplication::applicationDirPath());
-    return portable ? *portable : ofSystem();
+    Places found = portable.value_or(ofSystem());
+    found.defaults = defaultsFor(QCoreApplication::applicationDirPath());
+    return found;
 }
 
 } // namespace fff::ui

@@ -7,17 +7,23 @@
 //
 //     (empty)        while the program runs; unsaved work until the person logs out
 //     my settings    in "my settings" beside the program; as if empty where it cannot be written
+//
+// Files "defaults.ini", beside the program and where the system keeps settings for all
+// (/etc/xdg/flatfitfab and its like), are for whoever looks after computers: what they say counts
+// until a person sets it otherwise. They are never written.
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 namespace fff::ui {
 
 struct Places
 {
-    QString settings; // an INI file
-    QString data;     // folder: recovered work, reports
-    QString cache;    // folder: what can be made again
+    QString settings;          // an INI file
+    QString data;              // folder: recovered work, reports
+    QString cache;             // folder: what can be made again
+    QStringList defaults = {}; // INI files, that one first that counts before the others
 };
 
 /// Those of a program in this folder.

@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <algorithm>
 #include <iterator>
@@ -27,6 +28,8 @@ const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
 const QString kBackup = QStringLiteral("files/backup");
+const QString kWorkFolder = QStringLiteral("files/folder");
+const QString kNewModel = QStringLiteral("files/newModel");
 const QString kRecent = QStringLiteral("files/recent");
 const QString kRecentTimes = QStringLiteral("files/recentTimes"); // "2026-11-28T10:00:00Z path"
 const QString kShortcuts = QStringLiteral("shortcuts");
@@ -77,17 +80,42 @@ std::unique_ptr<Settings> &theSettings()
     return one;
 }
 
+/// "~" is each person's own folder.
+QString pathOf(const QString &text)
+{
+    return text == u"~" || text.startsWith(QStringLiteral("~/")) ? QDir::homePath() + text.mid(1)
+                                                                 : text;
+}
+
+/// See dataFolder().
+QString &theFolder()
+{
+    static QString folder;
+    return folder;
+}
+
 } // namespace
 
-void Settings::setFile(const QString &path)
+void Settings::setFile(const QString &path, const QStringList &defaults)
 {
-    theSettings() = std::make_unique<Settings>(path.isEmpty() ? places().settings : path);
+    const Places here = places();
+    const bool isUsual = path.isEmpty();
+    theSettings() = std::make_unique<Settings>(
+        isUsual ? here.settings : path, isUsual && defaults.isEmpty() ? here.defaults : defaults);
+    theFolder() = isUsual ? here.data : QFileInfo(path).absolutePath();
+}
+
+void Settings::startSafely()
+{
+    static const QTemporaryDir once;
+    theSettings() = std::make_unique<Settings>(once.filePath(QStringLiteral("settings.ini")));
+    theFolder() = places().data; // unsaved work is no setting
 }
 
 QString Settings::dataFolder()
 {
-    const QString path = settings().m_store.fileName();
-    return path == places().settings ? places().data : QFileInfo(path).absolutePath();
+    settings(); // it may be the first to ask
+    return theFolder();
 }
 
 Settings &settings()
@@ -97,15 +125,15 @@ Settings &settings()
     return *theSettings();
 }
 
-Settings::Settings(const QString &path, QObject *parent)
-    : QObject(parent), m_store(path, QSettings::IniFormat)
+Settings::Settings(const QString &path, const QStringList &defaults, QObject *parent)
+    : QObject(parent), m_store(path, defaults)
 {
 }
 
 /// True when it differs from what was there.
 bool Settings::store(const QString &key, const QVariant &value)
 {
-    if (m_store.contains(key) && m_store.value(key) == value)
+    if (m_store.isOwn(key) && m_store.value(key) == value)
         return false;
     m_store.setValue(key, value);
     return true;
@@ -249,6 +277,17 @@ void Settings::setNavigation(NavigationPreset preset)
         return;
     store(kNavigation, wordOf(preset, kNavigations));
     Q_EMIT drawingChanged();
+}
+
+QString Settings::workFolder() const
+{
+    const QString folder = pathOf(m_store.value(kWorkFolder).toString());
+    return QFileInfo(folder).isDir() ? folder : QString();
+}
+
+QString Settings::newModelFile() const
+{
+    return pathOf(m_store.value(kNewModel).toString());
 }
 
 int Settings::autosaveInterval() const

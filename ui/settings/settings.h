@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/interaction/navigation.h"
+#include "ui/settings/settings_store.h"
 #include "ui/view/length_unit.h"
 
 #include <QByteArray>
@@ -18,7 +19,6 @@
 #include <QKeySequence>
 #include <QList>
 #include <QObject>
-#include <QSettings>
 #include <QStringList>
 
 #include <optional>
@@ -37,13 +37,18 @@ class Settings : public QObject
 public:
     /// Where settings() keeps them from now on; empty: the person's own file, the same on all
     /// systems (~/.config/flatfitfab/settings.ini and its like).
-    static void setFile(const QString &path);
+    /// defaults: for what it does not say; empty: those of this computer (places.h).
+    static void setFile(const QString &path, const QStringList &defaults = {});
+    /// From now on nothing counts that a person or who looks after the computer has set, and what
+    /// is set is forgotten with the program's end.
+    static void startSafely();
 
     /// Where the program keeps other things of this person: beside the file of setFile(), else
     /// where the system wants data to be.
     static QString dataFolder();
 
-    explicit Settings(const QString &path, QObject *parent = nullptr);
+    explicit Settings(const QString &path, const QStringList &defaults = {},
+                      QObject *parent = nullptr);
 
     // General
     LengthUnit unit() const; // lengths are shown and typed in it; files and the core have mm
@@ -111,6 +116,10 @@ public:
     void setAutosaveInterval(int seconds);
     bool keepsBackup() const; // the file as it was before the last save, beside it
     void setKeepsBackup(bool keeps);
+    /// Where files are looked for and written that have no folder yet; one that is not there is
+    /// empty. Set by whoever looks after the computer, like the next.
+    QString workFolder() const;
+    QString newModelFile() const; // what new models begin as; empty: as empty ones
     /// Newest first, absolute. Also such that are gone by now.
     QStringList recentFiles() const;
     /// opened: when; the newest is the first of the list.
@@ -153,7 +162,7 @@ Q_SIGNALS:
 private:
     bool store(const QString &key, const QVariant &value);
 
-    QSettings m_store;
+    SettingsStore m_store;
 };
 
 /// The one that the program uses.

@@ -133,8 +133,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     connect(m_bench, &Workbench::editFailed, this, [this](const Error &error) {
         m_messages->show(MessageBar::Severity::Error, {io::errorText(error)});
     });
-    m_bench->session().reset(newDocument());
-    m_bench->showAll("front");
+    m_files->begin();
 }
 
 MainWindow::~MainWindow()

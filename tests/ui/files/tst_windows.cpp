@@ -20,6 +20,8 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QRegularExpression>
+#include <QSettings>
 #include <QTimer>
 #include <QToolButton>
 #include <QUrl>
@@ -48,6 +50,7 @@ private Q_SLOTS:
     void aFileOpensInAnUntouchedWindow();
     void aSecondFileOpensInAWindowOfItsOwn();
     void aFileThatIsOpenIsBroughtForward();
+    void newModelsBeginAsWasSet();
     void newKeepsWhatIsThere();
     void eachWindowHasItsOwnHistory();
     void quitAsksForEachUnsavedWindow();
@@ -152,6 +155,28 @@ void TestWindows::aFileThatIsOpenIsBroughtForward()
                               QFileInfo(m_folder->path()).fileName() + QStringLiteral("/b.fff")}),
         1);
     QCOMPARE(mainWindows().size(), 2);
+}
+
+// Wrong: what new models begin with counts as work, so that each file opens another window.
+void TestWindows::newModelsBeginAsWasSet()
+{
+    const QString wanted = model("new.fff", 25.0);
+    {
+        QSettings(file("settings.ini"), QSettings::IniFormat)
+            .setValue(QStringLiteral("files/newModel"), wanted);
+    }
+    Settings::setFile(file("settings.ini"));
+    MainWindow *window = openWindow();
+    QCOMPARE(window->bench().session().committed().sectionCount(), std::size_t(1));
+    QVERIFY(window->files().path().isEmpty());
+    QVERIFY(window->files().isUntouched());
+    QCOMPARE(openFiles(*window, {model("a.fff")}), 1);
+    QCOMPARE(window->files().path(), file("a.fff"));
+
+    QFile::remove(wanted);
+    QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("^New models are empty")));
+    MainWindow *other = openWindow();
+    QCOMPARE(other->bench().session().committed().sectionCount(), std::size_t(0));
 }
 
 void TestWindows::newKeepsWhatIsThere()

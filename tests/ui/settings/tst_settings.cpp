@@ -5,6 +5,8 @@
 #include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
 
+#include <QDir>
+#include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -28,6 +30,10 @@ private Q_SLOTS:
     void checksGoByTheirOwnUnits();
     void aRecentFileIsThereOnceAndFirst();
     void shortcutsAreKeptById();
+    void whatThePersonSetsCountsBeforeDefaults();
+    void defaultsAreNeverWritten();
+    void aWorkFolderHasToBeThere();
+    void safelyNothingThatWasSetCounts();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -205,6 +211,78 @@ void TestSettings::shortcutsAreKeptById()
     QVERIFY(!settings.shortcuts(undo));
     settings.resetShortcuts();
     QVERIFY(!settings.shortcuts(redo));
+}
+
+namespace {
+
+QString written(const QTemporaryDir &folder, const char *name, const QByteArray &text)
+{
+    const QString path = folder.filePath(QLatin1String(name));
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size() ? path : QString();
+}
+
+} // namespace
+
+void TestSettings::whatThePersonSetsCountsBeforeDefaults()
+{
+    const QString first = written(*m_folder, "first.ini", "[display]\nunit=in\n");
+    const QString second = written(*m_folder, "second.ini",
+                                   "[display]\nunit=cm\ntheme=dark\n[start]\npage=nonsense\n"
+                                   "[shortcuts]\nedit.undo=Ctrl+U\n");
+    const QStringList defaults{first, m_folder->filePath(QStringLiteral("none.ini")), second};
+    Settings settings(m_file, defaults);
+    QCOMPARE(settings.unit(), LengthUnit::Inch); // the first that has it
+    QCOMPARE(settings.colourScheme(), ColourScheme::Dark);
+    QVERIFY(settings.showsStartPage());
+    QCOMPARE(settings.shortcuts(QStringLiteral("edit.undo"))->size(), 1);
+    QSignalSpy told(&settings, &Settings::unitChanged);
+    settings.setUnit(LengthUnit::Inch);
+    QCOMPARE(told.size(), 0);
+    settings.setUnit(LengthUnit::Millimetre);
+    QCOMPARE(told.size(), 1);
+    settings.setColourScheme(ColourScheme::System); // what the program has without defaults
+    const Settings again(m_file, defaults);
+    QCOMPARE(again.unit(), LengthUnit::Millimetre);
+    QCOMPARE(again.colourScheme(), ColourScheme::System);
+}
+
+void TestSettings::defaultsAreNeverWritten()
+{
+    const QByteArray text = "[display]\nunit=in\n[shortcuts]\nedit.undo=Ctrl+U\n";
+    const QString path = written(*m_folder, "defaults.ini", text);
+    {
+        Settings settings(m_file, {path});
+        settings.setUnit(LengthUnit::Centimetre);
+        settings.resetShortcuts();
+        settings.setLanguage(QStringLiteral("de"));
+    }
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), text);
+}
+
+void TestSettings::aWorkFolderHasToBeThere()
+{
+    const QString path =
+        written(*m_folder, "defaults.ini", "[files]\nfolder=~\nnewModel=~/new.fff\n");
+    const Settings settings(m_file, {path});
+    QCOMPARE(settings.workFolder(), QDir::homePath());
+    QCOMPARE(settings.newModelFile(), QDir::homePath() + QStringLiteral("/new.fff"));
+    const QString gone = written(*m_folder, "gone.ini", "[files]\nfolder=/no/such/folder\n");
+    QCOMPARE(Settings(m_file, {gone}).workFolder(), QString());
+    QCOMPARE(Settings(m_file).newModelFile(), QString());
+}
+
+void TestSettings::safelyNothingThatWasSetCounts()
+{
+    Settings::setFile(m_file);
+    settings().setUnit(LengthUnit::Inch);
+    Settings::startSafely();
+    QCOMPARE(settings().unit(), LengthUnit::Millimetre);
+    settings().setUnit(LengthUnit::Centimetre);
+    Settings::setFile(m_file);
+    QCOMPARE(settings().unit(), LengthUnit::Inch);
 }
 
 FFF_TEST(TestSettings)
