@@ -3,7 +3,7 @@ _flatfitfab()
 {
     local word=$2 before=$3 flags=
     COMPREPLY=()
-    flags='-h --help --help-all -v --version --copy --play'
+    flags='-h --help --help-all -v --version --copy --play --safe-mode'
     if [[ $word == -* ]]; then
         COMPREPLY=($(compgen -W "$flags" -- "$word"))
     else
