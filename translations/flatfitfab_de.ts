@@ -1448,6 +1448,18 @@
             <numerusform>%n neue Verbindungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stands, but rocks by %1. Tips only past %2. Margin %3.</source>
+        <translation>Steht, wackelt aber um %1. Kippt erst über %2. Reserve %3.</translation>
+    </message>
+    <message>
+        <source>Rocks by %1: its lowest points are not all on the ground. Tips only past %2.</source>
+        <translation>Wackelt um %1: Seine tiefsten Punkte liegen nicht alle auf dem Boden. Kippt erst über %2.</translation>
+    </message>
+    <message>
+        <source>Rocks</source>
+        <translation>Wackelt</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -8190,10 +8202,6 @@
         <translation>Ein Teil davon hat nichts, worauf er steht.</translation>
     </message>
     <message>
-        <source>It does not touch the ground.</source>
-        <translation>Es berührt den Boden nicht.</translation>
-    </message>
-    <message>
         <source>Slides away over the ground.</source>
         <translation>Rutscht auf dem Boden weg.</translation>
     </message>
@@ -8343,10 +8351,6 @@
     <message>
         <source>%1: this kind of file cannot be written; expected %2.</source>
         <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: %2.</translation>
-    </message>
-    <message>
-        <source>Stands on a single line: it falls to either side.</source>
-        <translation>Steht nur auf einer Linie: fällt zur einen oder anderen Seite.</translation>
     </message>
     <message>
         <source>Its parts move against each other.</source>
@@ -8808,6 +8812,14 @@
     <message>
         <source>Too weak: it holds, but not with the safety that is asked for.</source>
         <translation>Zu schwach: Es hält, aber nicht mit der verlangten Sicherheit.</translation>
+    </message>
+    <message>
+        <source>Falls over: it has only a single line to stand on.</source>
+        <translation>Fällt um: Es steht nur auf einer einzigen Linie.</translation>
+    </message>
+    <message>
+        <source>It is not on the ground.</source>
+        <translation>Es ist nicht auf dem Boden.</translation>
     </message>
 </context>
 <context>

@@ -93,11 +93,11 @@ QString balanceText(Balance balance)
     case Balance::Topples:
         return tr("Falls over.");
     case Balance::LineSupport:
-        return tr("Stands on a single line: it falls to either side.");
+        return tr("Falls over: it has only a single line to stand on.");
     case Balance::Floating:
         return tr("A part of it has nothing to stand on.");
     case Balance::NoContact:
-        return tr("It does not touch the ground.");
+        return tr("It is not on the ground.");
     case Balance::Slides:
         return tr("Slides away over the ground.");
     case Balance::Mechanism:

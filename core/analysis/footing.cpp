@@ -52,10 +52,11 @@ const GroundContact &refreshedContact(const Bodies &bodies, const Group &group,
     return stance.contact;
 }
 
-/// Of what is low enough to touch the ground when the group leans as far as it may.
+/// Of what is low enough to touch the ground when the group leans as far as it may, and rocks from
+/// there.
 std::vector<Vec3> lowPoints(const Bodies &bodies, const Group &group, double lowest, double size)
 {
-    const double reach = lowest + kGroundContact + size * std::tan(kFarthestLean);
+    const double reach = lowest + kGroundContact + size * std::tan(2.0 * kFarthestLean);
     std::vector<Vec3> points;
     for (const int index : group) {
         const Body &body = bodies.at(index);
@@ -84,14 +85,19 @@ Stability onRest(const Rest &rest, const GroundContact &drawn, const Vec3 &centr
                                      centre.z() + z.dot(p - centre));
     Stability found =
         stability(contact, {centre.x(), rest.ground.above(centre), centre.z()}, thinnest, size);
+    if (found.standing != Standing::LineSupport)
+        found.standing = rest.tipAngle > 0.0 ? Standing::Stands : Standing::Topples;
+    found.margin = rest.margin;
+    found.tipAngle = std::max(0.0, rest.tipAngle);
+    found.nearest = {centre.x() + x.dot(rest.edge - centre),
+                     centre.z() + z.dot(rest.edge - centre)};
+    const Vec2 out = found.nearest - Vec2(centre.x(), centre.z());
+    if (out.norm() > kClipGrid)
+        found.fall = out.normalized();
     found.ground = rest.ground;
     found.lean = rest.lean;
+    found.rocking = rest.rocking;
     return found;
-}
-
-bool isSteady(const Stability &stability)
-{
-    return stability.standing == Standing::Stands && stability.tipAngle >= kSteadyTilt;
 }
 
 /// Of a group, the scale of what counts as a line.
@@ -122,22 +128,12 @@ Stability drawnStability(const GroupExtent &extent, const Vec3 &centre,
     return found;
 }
 
-/// Whether something hangs so low above the ground that it comes down when it rocks.
-bool rocks(const Bodies &bodies, const Group &group, double lowest, double size)
-{
-    return std::any_of(group.begin(), group.end(), [&](int body) {
-        const double low = bodies.at(body).contact().lowest - lowest;
-        return low > kGroundContact && low <= kRocking * size;
-    });
-}
-
 Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProperties &mass,
                       const GroundContact &contact)
 {
     const GroupExtent extent(bodies, group);
     Stability drawn = drawnStability(extent, mass.centre, contact);
-    if (contact.stretches == 0 ||
-        (isSteady(drawn) && !rocks(bodies, group, contact.lowest, extent.size)))
+    if (contact.stretches == 0)
         return drawn;
     const auto rest = settle(lowPoints(bodies, group, contact.lowest, extent.size), mass.centre);
     if (!rest)

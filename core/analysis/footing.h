@@ -8,10 +8,6 @@
 
 namespace fff {
 
-/// Tilted by less than this, something that stands ought not to fall: 10°, as for household
-/// equipment (IEC 62368-1, stability). Radians.
-inline constexpr double kSteadyTilt = 0.17453292519943295;
-
 /// Tilted by less than this it falls by itself: tables lean, joints give, and an edge that was cut
 /// is not straight. 2°, radians.
 inline constexpr double kLeastTilt = 0.03490658503988659;

@@ -319,7 +319,7 @@ std::optional<Document> standingOn(const Analysis &analysis, const std::vector<i
     const Analysis next = analyse(evaluate(*document, analysis.model), caches);
     const int first = analysis.bodies.sectionOf(group.front());
     const Stability then = stabilityOf(next, groupOf(next, first));
-    if (then.standing != Standing::Stands || then.lean > kPlainLean ||
+    if (then.standing != Standing::Stands || std::max(then.lean, then.rocking) > kPlainLean ||
         !joinTheSame(analysis.assembly.joints, next.assembly.joints) ||
         std::any_of(feet.begin(), feet.end(), [&](const HighFoot &foot) {
             return comesUponOthers(analysis.model.indexOf(foot.section), analysis, next);

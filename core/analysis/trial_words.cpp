@@ -1,6 +1,7 @@
 // What a trial changes, in words.
 #include "core/analysis/trial.h"
 
+#include "core/analysis/angle_words.h"
 #include "core/analysis/finding.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/assembly/joint_measures.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,8 +20,6 @@ namespace {
 
 /// Ways that differ by less are one way, mm.
 constexpr double kSameWay = 1e-6;
-/// Radians.
-constexpr double kOneDegree = std::numbers::pi / 180.0;
 
 /// So many of a kind, and the name of one of these.
 struct Counted
@@ -213,12 +211,6 @@ Outcome outcomeOf(std::span<const Finding> before, std::span<const Finding> afte
     return outcome;
 }
 
-/// Nearest to it: whole degrees are written rounded down.
-Quantity wholeAngleOf(double angle)
-{
-    return angleOf(angle < kOneDegree ? angle : angle + 0.5 * kOneDegree);
-}
-
 /// Of several: by how much all of them go up or down, where that is all.
 Message wordsOfMoved(const Difference &difference)
 {
@@ -278,7 +270,7 @@ Message changesBetween(const Analysis &before, const Analysis &after,
     add(difference.swung.count,
         //: %1 is the name of a section, %2 an angle
         {FFF_TEXT("Checks", "%1 turned by %2"),
-         {difference.swung.one, wholeAngleOf(difference.angle)}},
+         {difference.swung.one, nearestAngleOf(difference.angle)}},
         FFF_TEXT_OF_MANY("Checks", "%n sections turned"));
     const double slit = difference.joined == 1 ? longestSlit(after.model, *difference.one) : 0.0;
     if (slit > 0.0)

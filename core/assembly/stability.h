@@ -71,8 +71,9 @@ struct Stability
     double height = 0.0;      // of its lowest point above the ground, mm; negative: below it, as
                               // deep as its mid-planes
     Vec3 lowestPoint = Vec3::Zero();
-    Ground ground;     // on which it stands, or would
-    double lean = 0.0; // radians, of what comes to stand only when it leans
+    Ground ground;        // on which it stands, or would
+    double lean = 0.0;    // radians, of what comes to stand only when it leans
+    double rocking = 0.0; // radians, by which it leans besides when it is pushed a little
 };
 
 /// Where the centre of mass lies over the contacts.

@@ -1,5 +1,6 @@
 #include "core/analysis/findings/standing.h"
 
+#include "core/analysis/angle_words.h"
 #include "core/analysis/dropping.h"
 #include "core/analysis/findings/broader_base.h"
 #include "core/analysis/findings/loose_pieces.h"
@@ -103,13 +104,20 @@ Message ofThese(const Finding &finding, const Model &model, Message sentence)
 Message standsSentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
+    if (footing.rocking >= kLeastLean && footing.rocking > footing.lean)
+        return ofThese(
+            finding, model,
+            {FFF_TEXT("Checks", "Stands, but rocks by %1. Tips only past %2. Margin %3."),
+             {nearestAngleOf(footing.rocking), angleOf(footing.tipAngle),
+              lengthOf(footing.margin)}});
     if (footing.lean < kLeastLean)
         return ofThese(finding, model,
                        {FFF_TEXT("Checks", "Stands. Tips only past %1. Margin %2."),
                         {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
-    return ofThese(finding, model,
-                   {FFF_TEXT("Checks", "Stands, %1 aslant. Tips only past %2. Margin %3."),
-                    {angleOf(footing.lean), angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+    return ofThese(
+        finding, model,
+        {FFF_TEXT("Checks", "Stands, %1 aslant. Tips only past %2. Margin %3."),
+         {nearestAngleOf(footing.lean), angleOf(footing.tipAngle), lengthOf(footing.margin)}});
 }
 
 /// What else could be a foot; may be empty.
@@ -145,13 +153,19 @@ Text leanOf(Towards side)
 Message leansSentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
+    if (footing.rocking > footing.lean)
+        return ofThese(finding, model,
+                       joined({FFF_TEXT("Checks", "Rocks by %1: its lowest points are not all on "
+                                                  "the ground. Tips only past %2."),
+                               {nearestAngleOf(footing.rocking), angleOf(footing.tipAngle)}},
+                              feetSentence(finding, model)));
     return ofThese(
         finding, model,
-        joined(
-            {FFF_TEXT("Checks", "%1 before it stands: its lowest points are not all on the "
-                                "ground. Tips only past %2."),
-             {Message{leanOf(footing.leans), {angleOf(footing.lean)}}, angleOf(footing.tipAngle)}},
-            feetSentence(finding, model)));
+        joined({FFF_TEXT("Checks", "%1 before it stands: its lowest points are not all on the "
+                                   "ground. Tips only past %2."),
+                {Message{leanOf(footing.leans), {nearestAngleOf(footing.lean)}},
+                 angleOf(footing.tipAngle)}},
+               feetSentence(finding, model)));
 }
 
 Message wouldStandSentence(const Finding &finding, const Model &model)
@@ -174,6 +188,14 @@ Message unsteadySentence(const Finding &finding, const Model &model)
                : FFF_TEXT("Checks", "Barely stands: the slightest push tips it over. Tips past %1, "
                                     "margin %2."),
          {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+}
+
+Message leansTitle(const Finding &finding)
+{
+    const Footing &footing = *finding.details<Footing>();
+    return {footing.rocking > footing.lean ? FFF_TEXT("Checks", "Rocks")
+                                           : FFF_TEXT("Checks", "Leans"),
+            {}};
 }
 
 Message unsteadyTitle(const Finding &finding)
@@ -282,9 +304,9 @@ const FindingKind &kindOf(const Stability &stability)
 {
     switch (stability.standing) {
     case Standing::Stands:
-        return stability.tipAngle < kSteadyTilt ? kUnsteady
-               : stability.lean > kPlainLean    ? kLeans
-                                                : kStands;
+        return stability.tipAngle < kSteadyTilt                           ? kUnsteady
+               : std::max(stability.lean, stability.rocking) > kPlainLean ? kLeans
+                                                                          : kStands;
     case Standing::Topples:
         return kTopples;
     case Standing::LineSupport:
@@ -322,6 +344,7 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
     footing.tipAngle = stability.tipAngle;
     footing.side = towards(stability.fall);
     footing.lean = stability.lean;
+    footing.rocking = stability.rocking;
     footing.leans = towards(-Vec2(stability.ground.up.x(), stability.ground.up.z()));
     footing.support = stability.support;
     footing.edge = stability.nearest;
@@ -383,6 +406,7 @@ const FindingKind kLeans{.name = "leans",
                          .actions = level,
                          .look = footingLook,
                          .advice = FFF_TEXT("Checks", "Let its feet end on one plane."),
+                         .titled = leansTitle,
                          .spare = tipAngleOf,
                          .yet = kNotYet};
 const FindingKind kTopples{.name = "topples",

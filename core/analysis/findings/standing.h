@@ -22,7 +22,8 @@ struct Footing
     Towards side = Towards::Front; // where to it falls, or would first
     double lean = 0.0;             // radians, before all its feet that carry touch
     Towards leans = Towards::Front;
-    double height = 0.0; // kNoContact: above the ground, kBelowGround: below it, mm; both positive
+    double rocking = 0.0; // radians, by which it leans besides when it is pushed a little
+    double height = 0.0;  // kNoContact: above the ground, kBelowGround: below it, mm; both positive
     std::vector<HighFoot> feet; // kTopples, kLineSupport: who would hold it up on the ground
     int sections = 0;           // that stand
     Text provided = {};         // kWouldStand: what keeps it from standing, "if it did not fold"
@@ -31,7 +32,8 @@ struct Footing
 extern const FindingKind kStands;
 extern const FindingKind kUnsteady;   // stands, but tips when tilted by less than kSteadyTilt; an
                                       // error below kLeastTilt
-extern const FindingKind kLeans;      // stands, but aslant by more than anybody overlooks
+extern const FindingKind kLeans;      // stands, but aslant by more than anybody overlooks, or so at
+                                      // a push
 extern const FindingKind kWouldStand; // as one piece, which something else says it is not
 extern const FindingKind kTopples;
 extern const FindingKind kLineSupport; // falls to either side

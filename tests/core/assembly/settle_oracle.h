@@ -4,10 +4,12 @@
 
 #include "core/geometry/vector.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace fff::test {
@@ -82,6 +84,132 @@ private:
     std::vector<Vec3> m_points;
     Vec3 m_centre;
     double m_x = 0.0, m_z = 0.0; // slopes of the ground
+};
+
+/// How it tips, by the lower faces of its hull: planes through three points with none below. It
+/// falls from the face over which its centre of mass is by the way over edges to a face that is too
+/// steep of which the worst edge takes least tilting.
+class HullOracle
+{
+public:
+    HullOracle(const std::vector<Vec3> &points, const Vec3 &centre, double farthest)
+        : m_points(points), m_centre(centre), m_farthest(farthest)
+    {
+        const int n = static_cast<int>(points.size());
+        for (int i = 0; i < n; ++i)
+            for (int j = i + 1; j < n; ++j)
+                for (int k = j + 1; k < n; ++k)
+                    addFace({i, j, k});
+    }
+
+    /// Radians, of what rests on the face that this is up for; none where faces are too alike to
+    /// tell them from touching ones.
+    std::optional<double> tipAngle(const Vec3 &up) const
+    {
+        int start = -1;
+        double nearest = 0.01;
+        for (std::size_t f = 0; f < m_faces.size(); ++f) {
+            if (m_faces[f].isClose)
+                return std::nullopt;
+            if (const double off = (m_faces[f].up - up).norm(); off < nearest) {
+                start = static_cast<int>(f);
+                nearest = off;
+            }
+        }
+        if (start < 0)
+            return std::nullopt;
+        // Widest way, by trying tilts: few faces, so all are relaxed until nothing changes.
+        constexpr double kNever = std::numeric_limits<double>::infinity();
+        std::vector<double> reached(m_faces.size(), kNever);
+        reached[static_cast<std::size_t>(start)] = -kNever;
+        double falls = kNever;
+        for (bool changes = true; changes;) {
+            changes = false;
+            for (std::size_t f = 0; f < m_faces.size(); ++f) {
+                if (reached[f] == kNever)
+                    continue;
+                for (int e = 0; e < 3; ++e) {
+                    const double worst = std::max(reached[f], tilt(m_faces[f], e));
+                    const int beyond = neighbour(f, e);
+                    const bool fell =
+                        beyond < 0 || angle(m_faces[static_cast<std::size_t>(beyond)],
+                                            m_faces[static_cast<std::size_t>(start)]) > m_farthest;
+                    double &known = fell ? falls : reached[static_cast<std::size_t>(beyond)];
+                    if (worst < known) {
+                        known = worst;
+                        changes = true;
+                    }
+                }
+            }
+        }
+        return falls;
+    }
+
+private:
+    struct Face
+    {
+        std::array<int, 3> corners;
+        Vec3 up;              // unit, out of the ground that it lies on
+        bool isClose = false; // a fourth point nearly touches
+    };
+
+    void addFace(std::array<int, 3> corners)
+    {
+        const Vec3 &a = at(corners[0]);
+        Vec3 up = (at(corners[1]) - a).cross(at(corners[2]) - a);
+        if (up.norm() < 1e-6)
+            return;
+        up.normalize();
+        if (up.y() < 0.0) {
+            up = -up;
+            std::swap(corners[1], corners[2]);
+        }
+        Face face{corners, up};
+        for (std::size_t i = 0; i < m_points.size(); ++i) {
+            if (std::find(corners.begin(), corners.end(), static_cast<int>(i)) != corners.end())
+                continue;
+            const double above = up.dot(m_points[i] - a);
+            if (above < 0.0)
+                return;
+            face.isClose = face.isClose || above < 0.2;
+        }
+        if (lean(face) < 4.0 * m_farthest)
+            m_faces.push_back(face);
+    }
+    const Vec3 &at(int i) const { return m_points[static_cast<std::size_t>(i)]; }
+    static double lean(const Face &face) { return std::acos(std::min(1.0, face.up.y())); }
+    static double angle(const Face &a, const Face &b)
+    {
+        return std::acos(std::min(1.0, a.up.dot(b.up)));
+    }
+    /// Until the centre of mass is over edge e, seen from above counter-clockwise or not.
+    double tilt(const Face &face, int e) const
+    {
+        const Vec3 &a = at(face.corners[static_cast<std::size_t>(e)]);
+        const Vec3 &b = at(face.corners[static_cast<std::size_t>((e + 1) % 3)]);
+        const Vec3 &c = at(face.corners[static_cast<std::size_t>((e + 2) % 3)]);
+        const Vec3 inward = face.up.cross(b - a).normalized();
+        const double side = inward.dot(c - a) > 0.0 ? 1.0 : -1.0;
+        return std::atan2(side * inward.dot(m_centre - a), face.up.dot(m_centre - a));
+    }
+    int neighbour(std::size_t f, int e) const
+    {
+        const auto has = [](const Face &face, int corner) {
+            return std::find(face.corners.begin(), face.corners.end(), corner) !=
+                   face.corners.end();
+        };
+        const int a = m_faces[f].corners[static_cast<std::size_t>(e)];
+        const int b = m_faces[f].corners[static_cast<std::size_t>((e + 1) % 3)];
+        for (std::size_t g = 0; g < m_faces.size(); ++g)
+            if (g != f && has(m_faces[g], a) && has(m_faces[g], b))
+                return static_cast<int>(g);
+        return -1;
+    }
+
+    const std::vector<Vec3> &m_points;
+    Vec3 m_centre;
+    double m_farthest;
+    std::vector<Face> m_faces;
 };
 
 } // namespace fff::test

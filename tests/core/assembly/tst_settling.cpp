@@ -34,30 +34,67 @@ class TestSettling : public QObject
 private Q_SLOTS:
     void aTableWithAShortLegRocks();
     void whatIsOutsideRollsOntoTheNextFoot();
+    void whatHangsBesideCatchesIt();
     void whatRollsTooFarFalls();
+    void itTipsOverTheLastFaceOfItsHull();
     void itRestsAsItsEnergySays();
     void nothingIsBelowTheGround();
     void nothingRestsNowhere();
 };
 
-// Wrong: a table with one leg a tenth too short falls over.
+// Wrong: a table with one leg a little short falls over, or at a touch.
 void TestSettling::aTableWithAShortLegRocks()
 {
-    for (const double shorter : {0.0, 0.04, 0.1, 0.5}) {
+    for (const double shorter : {0.0, 0.04, 0.1, 0.5, 2.0}) {
         const auto rest = settle(table(shorter), {2, 60, 2});
         QVERIFY(rest);
         QCOMPARE(rest->lean, 0.0);
         QCOMPARE(rest->contacts.size(), std::size_t(4));
+        // Over the front edge, 38 away, which all of its legs but the short one are beside.
+        QVERIFY(std::abs(rest->tipAngle - std::atan(38.0 / 60.0)) < radians(0.5));
+        const double arm = 2.0 * 50.0 * 80.0 / std::hypot(100.0, 80.0);
+        const double expected = shorter > kGroundContact ? std::atan(shorter / arm) : 0.0;
+        QVERIFY(std::abs(rest->rocking - expected) < 1e-9);
     }
-    // Two millimetres are more than rocking.
-    QCOMPARE(settle(table(2.0), {2, 60, 2})->contacts.size(), std::size_t(3));
+    // One that is far too short is no foot.
+    const auto rest = settle(table(20.0), {20, 60, 20});
+    QVERIFY(rest);
+    QCOMPARE(rest->contacts.size(), std::size_t(3));
+}
+
+// Wrong: "the slightest push tips it over" of a plate on its edge, beside which something hangs by
+// half a millimetre.
+void TestSettling::whatHangsBesideCatchesIt()
+{
+    for (const double hangs : {0.1, 0.3, 0.5, 1.0, 2.0}) {
+        std::vector<Vec3> points;
+        for (const double x : {-40.0, 40.0})
+            for (const double z : {-1.5, 1.5}) {
+                points.emplace_back(x, 0.0, z);
+                points.emplace_back(z, hangs, x);
+            }
+        const auto rest = settle(points, {0, 30, 0});
+        QVERIFY(rest);
+        QCOMPARE(rest->lean, 0.0);
+        const double rocks = std::atan(hangs / 38.5);
+        QVERIFY(std::abs(rest->rocking - rocks) < kGroundContact / 38.5);
+        // It stands on the far end of what hung, leaning, and the nearer edge of the plate.
+        QVERIFY2(rest->tipAngle > radians(40.0) && rest->tipAngle < radians(54.0),
+                 qPrintable(QString::number(degrees(rest->tipAngle))));
+    }
+    // Where it hangs too high nothing catches it.
+    const auto rest = settle(
+        {{-40, 0, -1.5}, {40, 0, -1.5}, {40, 0, 1.5}, {-40, 0, 1.5}, {0, 9, -40}, {0, 9, 40}},
+        {0, 30, 0});
+    QVERIFY(std::abs(rest->tipAngle - std::atan(1.5 / 30.0)) < 1e-9);
+    QVERIFY(std::abs(rest->margin - 1.5) < 1e-9);
+    QCOMPARE(rest->rocking, 0.0);
 }
 
 void TestSettling::whatIsOutsideRollsOntoTheNextFoot()
 {
     const auto rest = settle(table(2.0), {-10, 60, -10});
     QVERIFY(rest);
-    QCOMPARE(rest->contacts.size(), std::size_t(4)); // it rocks back onto the one that lifts
     QVERIFY(rest->ground.up.x() > 0.0 && rest->ground.up.z() > 0.0); // it leans the other way
     // Over the diagonal, of which the short leg is 2 · 50 · 80 / √(100² + 80²) away.
     const double arm = 2.0 * 50.0 * 80.0 / std::hypot(100.0, 80.0);
@@ -101,6 +138,37 @@ void TestSettling::itRestsAsItsEnergySays()
                                 .arg(degrees(oracle.lean()))));
     }
     QVERIFY(stood > 50 && fell > 30);
+}
+
+// By the faces of the points' hull, found by trying all planes, and the ways over its edges.
+void TestSettling::itTipsOverTheLastFaceOfItsHull()
+{
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> across(-80, 80), up(0, 9), centre(-25, 25);
+    int stood = 0, rocked = 0;
+    for (int round = 0; round < 300; ++round) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 10; ++i)
+            points.emplace_back(across(random), up(random), across(random));
+        const Vec3 mass(centre(random), 60.0, centre(random));
+        const auto rest = settle(points, mass);
+        if (!rest)
+            continue;
+        const HullOracle oracle(points, mass, kFarthestLean);
+        const std::optional<double> tip = oracle.tipAngle(rest->ground.up);
+        if (!tip)
+            continue; // two faces that differ by less than what counts as touching
+        ++stood;
+        rocked += rest->rocking > 0.0 ? 1 : 0;
+        QVERIFY2(std::abs(rest->tipAngle - *tip) < radians(0.2),
+                 qPrintable(QStringLiteral("%1: tips past %2, not %3")
+                                .arg(round)
+                                .arg(degrees(rest->tipAngle))
+                                .arg(degrees(*tip))));
+        QVERIFY(std::abs(rest->margin) < 120.0);
+    }
+    QVERIFY2(stood > 100 && rocked > 20,
+             qPrintable(QStringLiteral("%1 %2").arg(stood).arg(rocked)));
 }
 
 void TestSettling::nothingIsBelowTheGround()
