@@ -1,6 +1,7 @@
 // The native format `.fff`: JSON, lengths in mm, angles in radians, version 3.
 //
 //     { "format": "FlatFitFab", "version": 3, "nextId": 5, "currentStock": 1,
+//       "opensForAdjusting": true,
 //       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
 //                         "flexuralStrength", "modulus", "kerf", "clearance",
 //                         "slitEnd": "square|round|dogbone|tBone", "toolDiameter", "leadIn",
@@ -40,7 +41,7 @@
 //                         "magnets": [ { "section": ref, "radius" } ] } ],
 //       "blobs":      [ { "sha256", "mediaType", "name" } ] }
 //
-// Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
+// Strengths and modulus are null when not rated; "opensForAdjusting" (then false), "parent", "holes", "weights", "joints", and of a
 // joint all but its two sections, may be missing; of a section "locked", and of a parent "free"
 // (then false), of a section "figures" (core/geometry/figure.h), which say what boundaries were
 // made of, as far as they are as those still, "symmetry", to which line it stays symmetric when its

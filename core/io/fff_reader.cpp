@@ -372,6 +372,8 @@ Document FffReader::read(const JsonCursor &root)
     if (document.stocks.empty())
         stocks.failExpected(QT_TRANSLATE_NOOP("Error", "at least one stock"));
     document.currentStock = StockId{readReference(root.member("currentStock"), m_stockIds)};
+    if (const JsonCursor adjusting = root.member("opensForAdjusting"); adjusting.exists())
+        document.opensForAdjusting = adjusting.truth();
     std::vector<ShapePointer> shapes;
     for (const JsonCursor &item : root.member("shapes").items()) {
         shapes.push_back(readShape(item));

@@ -200,6 +200,8 @@ Result<std::string> writeFff(const Document &document)
     json.member("version", kFffVersion);
     json.member("nextId", document.nextId);
     json.member("currentStock", document.currentStock.value);
+    if (document.opensForAdjusting)
+        json.member("opensForAdjusting", true);
     json.key("stocks");
     json.beginArray();
     for (const auto &stock : document.stocks)

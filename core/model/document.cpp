@@ -106,7 +106,7 @@ bool Document::isSame(const Document &other) const
            dimensions == other.dimensions && pins == other.pins && turnings == other.turnings &&
            numbers == other.numbers && values.isSame(other.values) && bindings == other.bindings &&
            templates == other.templates && blobs == other.blobs &&
-           currentStock == other.currentStock;
+           currentStock == other.currentStock && opensForAdjusting == other.opensForAdjusting;
 }
 
 bool Document::operator==(const Document &other) const
@@ -122,7 +122,8 @@ bool Document::operator==(const Document &other) const
                           return a == b || a->binding == b->binding;
                       }) &&
            equalValues(templates, other.templates) && equalValues(blobs, other.blobs) &&
-           currentStock == other.currentStock && nextId == other.nextId;
+           currentStock == other.currentStock && nextId == other.nextId &&
+           opensForAdjusting == other.opensForAdjusting;
 }
 
 Document newDocument()

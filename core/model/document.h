@@ -40,6 +40,7 @@ struct Document
     std::vector<BlobPointer> blobs;         // ascending by sha256, each once
     StockId currentStock;
     std::int64_t nextId = 1;
+    bool opensForAdjusting = false; // a window has its shown values, the view and Export, no more
 
     /// In `sections`, or -1. Ids rise in the order of drawing, where it takes O(log sections); a
     /// file may have them in another order, where it takes O(sections).

@@ -17,6 +17,7 @@ class TestFffValues : public QObject
 
 private Q_SLOTS:
     void files();
+    void whatOpensForAdjusting();
 };
 
 void TestFffValues::files()
@@ -61,6 +62,27 @@ void TestFffValues::files()
         const auto failed = io::readFff(wrong);
         QVERIFY2(!failed && failed.error().place.find("values") != std::string::npos, to);
     }
+}
+
+// Wrong: what was handed on opens as what it was made in.
+void TestFffValues::whatOpensForAdjusting()
+{
+    Document document = withValue(shelf(), "w", "3 mm");
+    QVERIFY(io::writeFff(document).value().find("opensForAdjusting") == std::string::npos);
+    const Document before = document;
+    document.opensForAdjusting = true;
+    QVERIFY(!(document == before));
+    QVERIFY(!document.isSame(before));
+    QVERIFY(evaluate(document).document.opensForAdjusting);
+    const std::string text = io::writeFff(document).value();
+    const auto read = io::readFff(text);
+    QVERIFY(read && read->document == document);
+    std::string wrong = text;
+    const std::string member = "\"opensForAdjusting\": true";
+    QVERIFY(wrong.find(member) != wrong.npos);
+    wrong.replace(wrong.find(member), member.size(), "\"opensForAdjusting\": 3");
+    const auto failed = io::readFff(wrong);
+    QVERIFY(!failed && failed.error().place.find("opensForAdjusting") != std::string::npos);
 }
 
 FFF_TEST(TestFffValues)
