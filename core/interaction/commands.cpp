@@ -49,6 +49,17 @@ void CommandRegistry::offer(std::span<const CommandWords> words)
             m_offered.push_back(&each);
 }
 
+void CommandRegistry::limit(std::function<bool(std::string_view id)> lets, Text reason)
+{
+    m_lets = std::move(lets);
+    m_limit = reason;
+}
+
+bool CommandRegistry::isShown(const std::string &id) const
+{
+    return !m_lets || m_lets(id);
+}
+
 bool CommandRegistry::contains(const std::string &id) const
 {
     return m_commands.count(id) > 0;
@@ -56,6 +67,8 @@ bool CommandRegistry::contains(const std::string &id) const
 
 WhyNot CommandRegistry::whyNot(const std::string &id, const CommandParameters &parameters) const
 {
+    if (!isShown(id))
+        return m_limit;
     const auto found = m_commands.find(id);
     if (found == m_commands.end() || !found->second.rule)
         return {};

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fff {
@@ -67,7 +68,13 @@ public:
     /// Of commands that people find; they live as long as the program.
     void offer(std::span<const CommandWords> words);
 
+    /// From now on only those that it lets through run and are shown; empty: all of them. What
+    /// others say of themselves is this reason.
+    void limit(std::function<bool(std::string_view id)> lets, Text reason);
+
     bool contains(const std::string &id) const;
+    /// False for what the limit does not let through.
+    bool isShown(const std::string &id) const;
     WhyNot whyNot(const std::string &id, const CommandParameters &parameters = {}) const;
     /// False for an unknown id.
     bool isEnabled(const std::string &id) const;
@@ -86,6 +93,8 @@ public:
 private:
     std::map<std::string, Command> m_commands;
     std::vector<const CommandWords *> m_offered;
+    std::function<bool(std::string_view)> m_lets; // empty: all
+    Text m_limit;                                 // why not
 };
 
 } // namespace fff

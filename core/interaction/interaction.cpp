@@ -331,6 +331,8 @@ const std::vector<SectionRef> &Interaction::selection() const
 
 void Interaction::select(std::vector<SectionRef> selection)
 {
+    if (d->looksOnly)
+        return;
     d->selection.select(std::move(selection));
     d->hoverMarks();
     d->update();
@@ -343,7 +345,7 @@ const std::optional<JointRef> &Interaction::selectedJoint() const
 
 void Interaction::selectJoint(const JointRef &joint)
 {
-    if (!hasJoint(d->host.model(), joint))
+    if (d->looksOnly || !hasJoint(d->host.model(), joint))
         return;
     d->points.clear();
     d->selection.selectJoint(joint);
@@ -365,7 +367,7 @@ OperationId Interaction::selectedOperation() const
 
 void Interaction::selectOperation(OperationId id)
 {
-    if (!d->host.model().document.find(id))
+    if (d->looksOnly || !d->host.model().document.find(id))
         return;
     d->points.clear();
     d->selection.selectOperation(id);
@@ -390,6 +392,8 @@ const PointSelection &Interaction::points() const
 
 void Interaction::selectPoints(std::vector<PointAddress> points)
 {
+    if (d->looksOnly)
+        return;
     d->selectPoints(std::move(points), d->documentOfPoints());
     d->hoverMarks();
     d->update();

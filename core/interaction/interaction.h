@@ -124,6 +124,11 @@ public:
     const ViewState &view() const;
     void setView(ViewState view);
 
+    /// Whoever only looks turns, pushes and zooms the view; nothing of the model is marked, selected
+    /// or edited, and no tool is held. What was is laid down.
+    void setLooksOnly(bool looksOnly);
+    bool looksOnly() const;
+
     /// Marks of problems: to be hovered and clicked, in the way of nothing else.
     const std::vector<ProblemMark> &marks() const;
     void setMarks(std::vector<ProblemMark> marks);

@@ -32,7 +32,7 @@ LoadId Interaction::selectedLoad() const
 
 void Interaction::selectLoad(LoadId id)
 {
-    if (!d->host.model().document.find(id))
+    if (d->looksOnly || !d->host.model().document.find(id))
         return;
     d->points.clear();
     d->selection.selectLoad(id);

@@ -21,7 +21,7 @@ void Interaction::Private::press(const PointerEvent &event)
     offer({});
     motion.isTouched = true;
     pressed = event.button;
-    if (isSecondClick(event) && addPointAt(event))
+    if (!looksOnly && isSecondClick(event) && addPointAt(event))
         return;
     pending = {event};
 }
@@ -40,12 +40,12 @@ void Interaction::Private::move(const PointerEvent &event)
     if ((event.position - begin.position).norm() <= settings.dragThreshold)
         return;
     // A finger, or a script, comes without having been there before.
-    if (const JointMark *mark = jointMarkAt(begin.position)) {
+    if (const JointMark *mark = looksOnly ? nullptr : jointMarkAt(begin.position)) {
         hoveredJoint = *mark;
         markJoints();
     }
     GestureContext with = context();
-    gesture = gestureFor(begin, sight(), with);
+    gesture = looksOnly ? viewGestureFor(begin, sight(), with) : gestureFor(begin, sight(), with);
     cameraBefore = motion.camera;
     if (tool && tool->givesWay() && !gesture->isOfView())
         while (cancelTool())
@@ -149,6 +149,8 @@ void Interaction::Private::click(const PointerEvent &begin)
              now, std::min(kCubeTime, settings.turnTime));
         return;
     }
+    if (looksOnly)
+        return;
     if (const std::optional<PlacedMark> mark = sight().markAt(begin.position)) {
         const ProblemMark &chosen = marks[chosenBy(*mark, marks)];
         host.chooseProblem(chosen.number, chosen.place);
@@ -190,6 +192,8 @@ void Interaction::Private::hover()
         hovering.unmark(hovered);
     else
         hovering.mark(sight(), now, settings.nameDelay, hovered);
+    if (looksOnly)
+        hoverViewOnly();
     sectionUnderCursor = hovered.section;
     hoverMarks();
 }
@@ -197,6 +201,8 @@ void Interaction::Private::hover()
 /// What is drawn over the sections lies before them for the cursor as well, handles first.
 void Interaction::Private::hoverMarks()
 {
+    if (looksOnly)
+        return; // none is shown
     hoverOperation();
     hoverLoad();
     hoverMagnet();

@@ -3,7 +3,8 @@
 // answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
 // interaction_joints.cpp (marks of joints), interaction_fit.cpp (what fills the view),
 // interaction_loads.cpp (loads), interaction_sections.cpp (edits of whole sections),
-// interaction_offer.cpp (what a stroke was meant to be).
+// interaction_offer.cpp (what a stroke was meant to be), interaction_looking.cpp (whoever only
+// looks).
 #pragma once
 
 #include "core/interaction/click_selection.h"
@@ -130,6 +131,7 @@ public:
     void carryOut(SectionEdit edit);
 
     void hover();
+    void hoverViewOnly();
     void hoverMarks();
     void hoverJoint();
     void hoverMagnet();
@@ -170,6 +172,7 @@ public:
     JointMarks jointMarks;
     std::optional<JointMark> hoveredJoint;
     bool listsJoints = false;
+    bool looksOnly = false;
     int sectionUnderCursor = -1;                  // also where a mark lies before it
     std::optional<OperationHandle> hoveredHandle; // of the selected operation
     bool isOverMagnet = false;                    // the handle of one

@@ -101,6 +101,8 @@ void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
     if (isSame)
         return;
     d->cancelGesture();
+    if (d->looksOnly)
+        return d->update();
     d->stopMotion();
     d->note.reset();
     d->offer({});

@@ -112,6 +112,23 @@ std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
     return std::make_unique<OrbitGesture>(press, sight.pivotAt(press.position));
 }
 
+/// What a drag does to the view; one that edits elsewhere turns it.
+std::unique_ptr<Gesture> moving(const PointerEvent &press, const Sight &sight,
+                                GestureContext &context)
+{
+    context.camera = sight.cameraAt(press.position);
+    switch (dragKind(context.settings.navigation, press.button, press.modifiers)) {
+    case DragKind::Pan:
+        return std::make_unique<PanGesture>(press);
+    case DragKind::Zoom:
+        return std::make_unique<ZoomGesture>(press);
+    case DragKind::Edit:
+    case DragKind::Orbit:
+        break;
+    }
+    return std::make_unique<OrbitGesture>(press, sight.pivotAt(press.position));
+}
+
 } // namespace
 
 bool isOnViewMark(const Sight &sight, const Vec2 &position)
@@ -134,18 +151,19 @@ std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sigh
         return gesture;
     if (auto gesture = onPoint(press, sight, context))
         return gesture;
-    context.camera = sight.cameraAt(press.position);
-    switch (dragKind(context.settings.navigation, press.button, press.modifiers)) {
-    case DragKind::Edit:
+    if (dragKind(context.settings.navigation, press.button, press.modifiers) == DragKind::Edit) {
+        context.camera = sight.cameraAt(press.position);
         return editing(press, sight, context);
-    case DragKind::Pan:
-        return std::make_unique<PanGesture>(press);
-    case DragKind::Zoom:
-        return std::make_unique<ZoomGesture>(press);
-    case DragKind::Orbit:
-        break;
     }
-    return std::make_unique<OrbitGesture>(press, sight.pivotAt(press.position));
+    return moving(press, sight, context);
+}
+
+std::unique_ptr<Gesture> viewGestureFor(const PointerEvent &press, const Sight &sight,
+                                        GestureContext &context)
+{
+    if (press.button == Button::Left && sight.cubePartAt(press.position))
+        return onViewMark(press, sight, context);
+    return moving(press, sight, context);
 }
 
 } // namespace fff

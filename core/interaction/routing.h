@@ -18,4 +18,8 @@ bool isOnViewMark(const Sight &sight, const Vec2 &position);
 std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sight,
                                     GestureContext &context);
 
+/// The same for whoever only looks: the view is turned, pushed or zoomed, whatever lies there.
+std::unique_ptr<Gesture> viewGestureFor(const PointerEvent &press, const Sight &sight,
+                                        GestureContext &context);
+
 } // namespace fff

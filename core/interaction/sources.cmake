@@ -86,5 +86,6 @@ target_sources(fff_core PRIVATE
     interaction/load_gesture.cpp
     interaction/load_marks.cpp
     interaction/load_tool.cpp
+    interaction/interaction_looking.cpp
     interaction/value_editing.cpp
 )

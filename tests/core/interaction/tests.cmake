@@ -9,6 +9,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_joint_gesture
     core/interaction/tst_label_room
     core/interaction/tst_long_strokes_shown
+    core/interaction/tst_looks_only
     core/interaction/tst_mark_tool
     core/interaction/tst_magnets
     core/interaction/tst_template_strokes
