@@ -3,6 +3,7 @@
 #include "core/operations/driven.h"
 #include "core/values/expression_words.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -18,6 +19,8 @@ constexpr Text kSetValue = FFF_TEXT("Step", "Set %1");
 constexpr Text kRenameValue = FFF_TEXT("Step", "Rename %1 to %2");
 //: %1 is the name of a value
 constexpr Text kDeleteValue = FFF_TEXT("Step", "Delete %1");
+constexpr Text kHandOn = FFF_TEXT("Step", "Hand on for adjusting");
+constexpr Text kEditDesign = FFF_TEXT("Step", "Edit the design");
 //: %n numbers were made of a value that is removed
 constexpr Text kNowNumbers =
     FFF_TEXT_OF_MANY("Hint", "%n that were made of it are plain numbers now.");
@@ -89,6 +92,19 @@ SectionEdit numberBound(const Document &document, const DrivenPlace &place, std:
 SectionEdit numberReleased(const Document &document, const DrivenPlace &place)
 {
     return EditedSections{withoutBinding(document, place), stepAt(document, place)};
+}
+
+SectionEdit handedOn(const Document &document, bool isHandedOn)
+{
+    EditedSections edit{document, {isHandedOn ? kHandOn : kEditDesign}};
+    edit.document.opensForAdjusting = isHandedOn;
+    return edit;
+}
+
+bool hasShownValue(const Values &values)
+{
+    return std::any_of(values.list.begin(), values.list.end(),
+                       [](const ValuePointer &known) { return known->value.isShown; });
 }
 
 std::string freeValueName(const Values &values, const std::string &wanted)

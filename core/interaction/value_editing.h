@@ -25,6 +25,10 @@ SectionEdit numberBound(const Document &document, const DrivenPlace &place, std:
 /// It stays as it is, by itself.
 SectionEdit numberReleased(const Document &document, const DrivenPlace &place);
 
+/// Whoever opens the model adjusts its shown values, and no more; or has all of it again.
+SectionEdit handedOn(const Document &document, bool isHandedOn);
+bool hasShownValue(const Values &values);
+
 /// For a new value: this one, or the first of it with a number that no value has.
 std::string freeValueName(const Values &values, const std::string &wanted);
 

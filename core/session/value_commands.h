@@ -9,6 +9,8 @@
 //   value.bind     place ("stock/1/thickness", core/operations/drivable.h), expression; a plain
 //                  number ends a binding
 //   value.release  place: the number stays as it is
+//   value.handOn   on: whoever opens the model adjusts its shown values, and no more; else the
+//                  other way round than it is
 #pragma once
 
 #include "core/interaction/commands.h"
