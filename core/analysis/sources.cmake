@@ -59,12 +59,14 @@ target_sources(fff_core PRIVATE
     analysis/joining_move.cpp
     analysis/lying_parts.cpp
     analysis/mends.cpp
+    analysis/narrowed_ranges.cpp
     analysis/movement.cpp
     analysis/nested.cpp
     analysis/outlined_sections.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp
     analysis/pulling.cpp
+    analysis/ranged_values.cpp
     analysis/stage.cpp
     analysis/stages.cpp
     analysis/straining.cpp
@@ -75,6 +77,7 @@ target_sources(fff_core PRIVATE
     analysis/touching.cpp
     analysis/trial.cpp
     analysis/trial_words.cpp
+    analysis/value_trials.cpp
     analysis/verdicts.cpp
     analysis/weak_place.cpp
     analysis/suggesting/form_samples.cpp

@@ -88,4 +88,5 @@ target_sources(fff_core PRIVATE
     interaction/load_tool.cpp
     interaction/interaction_looking.cpp
     interaction/value_editing.cpp
+    interaction/value_trial_editing.cpp
 )

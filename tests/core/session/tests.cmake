@@ -43,6 +43,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_they_fit
     core/session/tst_tool_replays
     core/session/tst_trial_words
+    core/session/tst_value_trials
     core/session/tst_view_fit
     core/session/tst_what_carries
     core/session/tst_wider_necks
