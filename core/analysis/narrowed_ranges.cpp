@@ -149,8 +149,8 @@ std::optional<NarrowedRanges> narrowedRanges(const ValueTrials &trials, const Tr
     if (!box->contains(now))
         narrowed.moves = *cutting.firstGood(*box);
     for (std::size_t i = 0; i < trials.values.size(); ++i) {
-        NarrowedRange &range = narrowed.ranges.emplace_back(
-            NarrowedRange{box->least[i], box->most[i], {}});
+        NarrowedRange &range =
+            narrowed.ranges.emplace_back(NarrowedRange{box->least[i], box->most[i], {}});
         for (std::size_t k = 0; k < trials.values[i].choices.size(); ++k)
             if (!box->leftOut[i].contains(static_cast<double>(k)))
                 range.choices.push_back(trials.values[i].choices[k]);

@@ -10,7 +10,7 @@ namespace fff {
 
 struct NarrowedRange
 {
-    double least = 0.0, most = 0.0; // of numbers, as in RangedValue
+    double least = 0.0, most = 0.0;   // of numbers, as in RangedValue
     std::vector<std::string> choices; // of a choice: those that are left
     bool operator==(const NarrowedRange &) const = default;
 };

@@ -46,9 +46,9 @@ std::optional<RangedValue> rangedNumber(const Value &value, RangedValue ranged)
         ranged.step = std::max(1.0, std::round(ranged.step));
     }
     if (ranged.step > 0.0) // the most that can be set
-        ranged.most = ranged.least + ranged.step * std::floor((ranged.most - ranged.least) /
-                                                                  ranged.step +
-                                                              kSameNumber);
+        ranged.most =
+            ranged.least +
+            ranged.step * std::floor((ranged.most - ranged.least) / ranged.step + kSameNumber);
     if (!(ranged.least < ranged.most))
         return std::nullopt;
     return ranged;
@@ -127,9 +127,9 @@ TrialPlace drawnPlace(const std::vector<RangedValue> &values, std::uint64_t seed
         const double share = drawn(seed, "place ", number, value);
         // Whole ones have the same chance each.
         const double count = std::round((value.most - value.least) / value.step) + 1.0;
-        place.push_back(value.settable(
-            value.step > 0.0 ? value.least + value.step * std::floor(count * share)
-                             : value.least + (value.most - value.least) * share));
+        place.push_back(value.settable(value.step > 0.0
+                                           ? value.least + value.step * std::floor(count * share)
+                                           : value.least + (value.most - value.least) * share));
     }
     return place;
 }
@@ -228,9 +228,8 @@ TrialPlaces trialPlaces(const std::vector<RangedValue> &values, const TrialExten
     return places;
 }
 
-tl::expected<Document, Message> placed(const Document &document,
-                                       const std::vector<RangedValue> &values,
-                                       const TrialPlace &place)
+tl::expected<Document, Message>
+placed(const Document &document, const std::vector<RangedValue> &values, const TrialPlace &place)
 {
     Document next = document;
     for (std::size_t i = 0; i < values.size(); ++i) {

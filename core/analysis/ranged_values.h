@@ -56,8 +56,7 @@ struct TrialPlaces
 TrialPlaces trialPlaces(const std::vector<RangedValue> &values, const TrialExtent &extent);
 
 /// The model's document with the values set to that. Errors  what would be wrong there.
-tl::expected<Document, Message> placed(const Document &document,
-                                       const std::vector<RangedValue> &values,
-                                       const TrialPlace &place);
+tl::expected<Document, Message>
+placed(const Document &document, const std::vector<RangedValue> &values, const TrialPlace &place);
 
 } // namespace fff

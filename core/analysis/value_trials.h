@@ -1,5 +1,5 @@
-// What becomes of a model over the ranges of its values: it is made in corners and in places between
-// them, and judged by all that finds something, as an edit is that is tried (trial.h).
+// What becomes of a model over the ranges of its values: it is made in corners and in places
+// between them, and judged by all that finds something, as an edit is that is tried (trial.h).
 #pragma once
 
 #include "core/analysis/check_rules.h"

@@ -124,8 +124,8 @@ public:
     const ViewState &view() const;
     void setView(ViewState view);
 
-    /// Whoever only looks turns, pushes and zooms the view; nothing of the model is marked, selected
-    /// or edited, and no tool is held. What was is laid down.
+    /// Whoever only looks turns, pushes and zooms the view; nothing of the model is marked,
+    /// selected or edited, and no tool is held. What was is laid down.
     void setLooksOnly(bool looksOnly);
     bool looksOnly() const;
 

@@ -1,5 +1,5 @@
-// What trials of values (core/analysis/value_trials.h) are good for: to go to a place that was tried,
-// and to leave out what does not hold.
+// What trials of values (core/analysis/value_trials.h) are good for: to go to a place that was
+// tried, and to leave out what does not hold.
 #pragma once
 
 #include "core/analysis/value_trials.h"

@@ -41,17 +41,18 @@
 //                         "magnets": [ { "section": ref, "radius" } ] } ],
 //       "blobs":      [ { "sha256", "mediaType", "name" } ] }
 //
-// Strengths and modulus are null when not rated; "opensForAdjusting" (then false), "parent", "holes", "weights", "joints", and of a
-// joint all but its two sections, may be missing; of a section "locked", and of a parent "free"
-// (then false), of a section "figures" (core/geometry/figure.h), which say what boundaries were
-// made of, as far as they are as those still, "symmetry", to which line it stays symmetric when its
-// points are edited (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark
-// "lettering"; "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor
-// "section"; "pins" and "turnings" (core/model/sheet_wishes.h), of a pin "body" (then 0) and "turn"
-// (then [1, 0]); "values" (core/values/values.h) and of one all but its id, name, kind and what was
-// typed; "bindings" (core/model/binding.h), which say of numbers that stand elsewhere in the file
-// of what they are made, and what that came to ("result", as the number is in the file; another
-// number there is one by itself), of a joint by "a" and "b", of all else by "id"; "templates"
+// Strengths and modulus are null when not rated; "opensForAdjusting" (then false), "parent",
+// "holes", "weights", "joints", and of a joint all but its two sections, may be missing; of a
+// section "locked", and of a parent "free" (then false), of a section "figures"
+// (core/geometry/figure.h), which say what boundaries were made of, as far as they are as those
+// still, "symmetry", to which line it stays symmetric when its points are edited
+// (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark "lettering";
+// "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor "section";
+// "pins" and "turnings" (core/model/sheet_wishes.h), of a pin "body" (then 0) and "turn" (then [1,
+// 0]); "values" (core/values/values.h) and of one all but its id, name, kind and what was typed;
+// "bindings" (core/model/binding.h), which say of numbers that stand elsewhere in the file of what
+// they are made, and what that came to ("result", as the number is in the file; another number
+// there is one by itself), of a joint by "a" and "b", of all else by "id"; "templates"
 // (core/model/template.h), of one all that is not said of it by default,
 // and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON
 // (core/io/fff_file.h), of these "mediaType" and "name"; of a stock "slitEnd" (then square),

@@ -19,8 +19,9 @@ namespace {
 constexpr CommandWords kValueWords[] = {
     {"value.handOn", FFF_TEXT("Command", "Hand on for adjusting"), FFF_TEXT("Command", "Hand on"),
      "", "hand_on",
-     FFF_TEXT("Command", "Whoever opens the saved model sees the view, the shown values and Export, "
-                         "and nothing else")}};
+     FFF_TEXT("Command",
+              "Whoever opens the saved model sees the view, the shown values and Export, "
+              "and nothing else")}};
 constexpr Text kEditDesignAgain = FFF_TEXT("Command", "Edit the design");
 
 Reading scriptReading()
@@ -213,22 +214,22 @@ void registerValueCommands(CommandRegistry &registry, Session &session, Interact
     add("value.bind", &ValueCommands::bind);
     add("value.release", &ValueCommands::release);
     // It says which of the two it does, so that neither has to be looked for.
-    registry.add("value.handOn",
-                 {[commands](const CommandParameters &parameters, double time) {
-                      return commands.handOn(parameters, time);
-                  },
-                  needs(
-                      [&session] {
-                          const Document &document = session.committed().document;
-                          return document.opensForAdjusting || hasShownValue(document.values);
-                      },
-                      FFF_TEXT("Command", "No value is shown to others yet")),
-                  {},
-                  [&session]() -> Message {
-                      if (session.committed().document.opensForAdjusting)
-                          return {kEditDesignAgain, {}};
-                      return {};
-                  }});
+    registry.add("value.handOn", {[commands](const CommandParameters &parameters, double time) {
+                                      return commands.handOn(parameters, time);
+                                  },
+                                  needs(
+                                      [&session] {
+                                          const Document &document = session.committed().document;
+                                          return document.opensForAdjusting ||
+                                                 hasShownValue(document.values);
+                                      },
+                                      FFF_TEXT("Command", "No value is shown to others yet")),
+                                  {},
+                                  [&session]() -> Message {
+                                      if (session.committed().document.opensForAdjusting)
+                                          return {kEditDesignAgain, {}};
+                                      return {};
+                                  }});
     registry.offer(kValueWords);
 }
 

@@ -67,8 +67,8 @@ ValueTrials madeUp(int count, std::uint64_t seed, Holds holds)
 {
     ValueTrials trials;
     for (int i = 0; i < count; ++i)
-        trials.values.push_back({ValueId{i + 1}, "v" + std::to_string(i), ValueKind::Number, 0.0,
-                                 100.0, 0.0, {}});
+        trials.values.push_back(
+            {ValueId{i + 1}, "v" + std::to_string(i), ValueKind::Number, 0.0, 100.0, 0.0, {}});
     TrialExtent extent;
     extent.seed = seed;
     for (const TrialPlace &at : trialPlaces(trials.values, extent).all) {
@@ -137,7 +137,8 @@ void TestValueTrials::cornersAreAllOrSoMany()
 {
     std::vector<RangedValue> values;
     for (int i = 1; i <= 9; ++i) {
-        values.push_back({ValueId{i}, "v" + std::to_string(i), ValueKind::Length, 1.0, 2.0, 0.0, {}});
+        values.push_back(
+            {ValueId{i}, "v" + std::to_string(i), ValueKind::Length, 1.0, 2.0, 0.0, {}});
         const TrialPlaces places = trialPlaces(values, {});
         QCOMPARE(places.allCorners, std::pow(2.0, i));
         QVERIFY(places.corners <= 64);
@@ -149,7 +150,8 @@ void TestValueTrials::cornersAreAllOrSoMany()
             QVERIFY2(places.corners > 40, "so many of them are drawn");
         // All least and all most are among them, whatever is drawn.
         for (const double end : {1.0, 2.0})
-            QVERIFY(std::count(places.all.begin(), places.all.end(), TrialPlace(values.size(), end)));
+            QVERIFY(
+                std::count(places.all.begin(), places.all.end(), TrialPlace(values.size(), end)));
         for (std::size_t k = 0; k < places.corners; ++k)
             for (const double at : places.all[k])
                 QVERIFY(at == 1.0 || at == 2.0);
@@ -237,9 +239,9 @@ void TestValueTrials::whatCannotBeMadeIsTold()
     document = typed(std::move(document), "width", "160 mm");
     document = madeOf(document, stockKey(document, "thickness"), "(width - 120)/10");
     const ValueTrials trials = tried(document);
-    const auto impossible = std::find_if(
-        trials.places.begin(), trials.places.end(),
-        [](const TriedPlace &place) { return place.at[1] < 120.0; });
+    const auto impossible =
+        std::find_if(trials.places.begin(), trials.places.end(),
+                     [](const TriedPlace &place) { return place.at[1] < 120.0; });
     QVERIFY(impossible != trials.places.end());
     QVERIFY(!impossible->wrong.isEmpty());
     QVERIFY(!impossible->holds());
