@@ -2,6 +2,13 @@
 
 namespace fff {
 
+namespace {
+
+/// Of whoever only looks.
+constexpr Text kLookAround = FFF_TEXT("Hint", "Drag to turn the view; the wheel zooms.");
+
+} // namespace
+
 // What the person does.
 
 void Interaction::Private::press(const PointerEvent &event)
@@ -274,6 +281,8 @@ void Interaction::Private::update()
         std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
     else if (tool && !isOnMark)
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
+    else if (looksOnly && !hovered.cubePart)
+        std::tie(hint, cursor) = std::pair(Hint::ofView(kLookAround), Cursor::Arrow);
     else if (hoveredHandle)
         std::tie(hint, cursor) = hoverHint(*hoveredHandle, host.model());
     else if (isOverMagnet)
