@@ -178,13 +178,17 @@ target_sources(fff_ui PRIVATE
     steps/steps_bar.cpp
     steps/steps_export.cpp
     steps/steps_view.cpp
+    window/adjust_bar.cpp
+    window/adjusting.cpp
     window/badge.cpp
     window/badges.cpp
     window/canvas_bar.cpp
     window/context_menu.cpp
     window/dock_tabs.cpp
+    window/export_button.cpp
     window/main_tool_bar.cpp
     window/main_window.cpp
+    window/main_window_adjusting.cpp
     window/main_window_commands.cpp
     window/main_window_imports.cpp
     window/operation_notices.cpp

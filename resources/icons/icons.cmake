@@ -44,6 +44,7 @@ set(icon_names
     full_screen
     grid
     ground_shadow
+    hand_on
     help
     hide
     hole

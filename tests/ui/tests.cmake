@@ -91,6 +91,7 @@ set(windows
     ui/tst_template_window
     ui/tst_transform_window
     ui/tst_weight_keys
+    ui/window/tst_adjusting
     ui/window/tst_room_for_panels
     ui/window/tst_start_window)
 fff_tests(tests_window LIBRARIES fff::ui ON_A_DISPLAY ${windows})

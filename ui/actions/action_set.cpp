@@ -206,6 +206,7 @@ void ActionSet::show(const Entry &entry)
     QAction *action = entry.action;
     const WhyNot whyNot = commands.whyNot(id);
     action->setEnabled(!whyNot);
+    action->setVisible(commands.isShown(id));
     const std::optional<bool> isOn = commands.isOn(id);
     action->setCheckable(isOn.has_value());
     action->setChecked(isOn.value_or(false));

@@ -50,7 +50,7 @@ public:
     /// What an action does, or why it cannot be done now.
     static QString sentence(const QAction *action);
 
-    /// What can be done now, and what is checked.
+    /// What can be done now, what is checked, and what is shown at all (CommandRegistry::limit).
     void refresh();
 
 Q_SIGNALS:

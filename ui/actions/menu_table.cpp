@@ -67,7 +67,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          kSearchedMenu},
         {QT_TR_NOOP("&View"),
          "view.fitSelection view.previous view.shadow view.hide view.properties view.values "
-         "view.newValue view.nextPane view.previousPane",
+         "view.newValue value.handOn view.nextPane view.previousPane",
          kSearchedMenu},
         {QT_TR_NOOP("&Section"),
          "section.addCircle section.addEllipse section.addRectangle section.addPolygon "

@@ -57,6 +57,8 @@ std::span<const SearchWords> SearchTexts::all()
         {"view.showAll", QT_TR_NOOP("unhide visible")},
         {"view.hide", QT_TR_NOOP("invisible")},
         {"view.shadow", QT_TR_NOOP("grid floor")},
+        {"value.handOn", QT_TR_NOOP("share give customizer customise customize configure student "
+                                    "class adjust sliders locked full window")},
         {"view.fullScreen", QT_TR_NOOP("maximise maximize")},
         {"view.docks", QT_TR_NOOP("sidebars")},
         {"view.resetWindow", QT_TR_NOOP("layout default")},

@@ -284,6 +284,18 @@ void Workbench::layDownTool()
     announceChanges();
 }
 
+void Workbench::setLooksOnly(bool looksOnly)
+{
+    if (looksOnly == m_interaction->looksOnly())
+        return;
+    m_interaction->setLooksOnly(looksOnly);
+    ViewState whole;
+    whole.isXray = m_interaction->view().isXray;
+    whole.hasGround = m_interaction->view().hasGround;
+    m_interaction->setView(std::move(whole));
+    announceChanges();
+}
+
 void Workbench::setListsJoints(bool lists)
 {
     m_interaction->setListsJoints(lists);

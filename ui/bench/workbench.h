@@ -131,6 +131,10 @@ public:
     void pickUp(std::unique_ptr<Tool> tool);
     void layDownTool();
 
+    /// Whoever only looks edits nothing in the view (Interaction). What was hidden, isolated, cut
+    /// open or marked in it is so no more.
+    void setLooksOnly(bool looksOnly);
+
     /// Commits an edit of control points, or says in the status line why it was refused.
     void editPoints(PointEdit edit);
     /// The control point under the cursor goes, if there is one.

@@ -21,7 +21,7 @@ namespace fff::ui {
 namespace {
 
 enum ValueColumn { kValueName, kValueEditor, kValueMore, kValueColumns };
-enum ValueLine { kValueItself, kValueProblem, kValueDetails };
+enum ValueLine { kValueItself, kValueNote, kValueProblem, kValueDetails };
 
 constexpr int kValueNameWidth = 88, kValueHeight = 30; // px
 
@@ -41,6 +41,12 @@ ValueRow::ValueRow(Workbench &bench, ValueId value, QWidget *parent)
         smallButton(QStringLiteral("chevron_right"), "valueMore", tr("Kind, range and note"), this);
     connect(m_more, &QToolButton::clicked, this,
             [this] { unfold(!m_details || m_details->isHidden()); });
+    m_note = new QLabel(this);
+    m_note->setObjectName(QStringLiteral("valueNote"));
+    m_note->setWordWrap(true);
+    m_note->setTextFormat(Qt::PlainText);
+    m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_note->hide();
     m_problem = new QLabel(this);
     m_problem->setObjectName(QStringLiteral("valueProblem"));
     m_problem->setWordWrap(true);
@@ -55,11 +61,13 @@ ValueRow::ValueRow(Workbench &bench, ValueId value, QWidget *parent)
     m_grid->setColumnStretch(kValueEditor, 3);
     m_grid->addWidget(m_name, kValueItself, kValueName);
     m_grid->addWidget(m_more, kValueItself, kValueMore);
+    m_grid->addWidget(m_note, kValueNote, kValueName, 1, kValueColumns);
     m_grid->addWidget(m_problem, kValueProblem, kValueName, 1, kValueColumns);
 }
 
 void ValueRow::setAdjustsOnly(bool only)
 {
+    m_adjustsOnly = only;
     m_name->setReadOnly(only);
     m_name->setFocusPolicy(only ? Qt::NoFocus : Qt::StrongFocus);
     m_more->setVisible(!only);
@@ -139,7 +147,10 @@ void ValueRow::refresh()
     const QString name = QString::fromStdString(known.value.name);
     if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name)
         m_name->setText(name);
-    setToolTip(QString::fromStdString(known.value.note).toHtmlEscaped());
+    const QString note = QString::fromStdString(known.value.note);
+    setToolTip(m_adjustsOnly ? QString() : note.toHtmlEscaped());
+    m_note->setVisible(m_adjustsOnly && !note.isEmpty());
+    m_note->setText(note);
     showEditor(known);
     m_editor->show(known.value, model.evaluation.values.worth(m_id));
     m_editor->setSpoken(name);

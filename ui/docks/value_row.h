@@ -26,7 +26,7 @@ public:
     ValueRow(Workbench &bench, ValueId value, QWidget *parent);
 
     ValueId value() const { return m_id; }
-    /// Whoever only adjusts the design renames nothing.
+    /// Whoever only adjusts the design renames nothing, and reads what each value is for.
     void setAdjustsOnly(bool only);
     /// As the value is now.
     void refresh();
@@ -52,9 +52,11 @@ private:
     QLineEdit *m_name = nullptr;
     QToolButton *m_more = nullptr;
     ValueEditor *m_editor = nullptr;
+    QLabel *m_note = nullptr; // for whoever only adjusts
     QLabel *m_problem = nullptr;
     ValueDetails *m_details = nullptr; // once it was asked for
     QString m_refusal;                 // of the last edit
+    bool m_adjustsOnly = false;
 };
 
 } // namespace fff::ui

@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -38,8 +39,13 @@ ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
     area->setFocusPolicy(Qt::NoFocus);
     area->setAccessibleName(tr("Values"));
     auto *page = new QWidget(area);
-    m_empty = new QLabel(
-        tr("A value has a name that number fields take, also in sums such as = 2*gap."), page);
+    m_purpose = new QLabel(tr("This design is made to be adjusted: set its values, then export it. "
+                              "Drag in the view to turn it."),
+                           page);
+    m_purpose->setObjectName(QStringLiteral("valuesPurpose"));
+    m_purpose->setWordWrap(true);
+    m_purpose->setForegroundRole(QPalette::PlaceholderText);
+    m_empty = new QLabel(page);
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_problems = new QLabel(page);
@@ -50,15 +56,22 @@ ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
     m_add->setObjectName(QStringLiteral("valueAdd"));
     m_add->setAutoDefault(false);
     connect(m_add, &QPushButton::clicked, this, &ValuesDock::addNew);
+    m_handOn = new QPushButton(page);
+    m_handOn->setObjectName(QStringLiteral("valuesHandOn"));
+    m_handOn->setAutoDefault(false);
+    connect(m_handOn, &QPushButton::clicked, this,
+            [this] { m_bench.run(QStringLiteral("value.handOn")); });
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(kValuesMargin, kBelowRows, kValuesMargin, kValuesMargin);
     column->setSpacing(kBelowRows);
+    column->addWidget(m_purpose);
     column->addWidget(m_empty);
     m_column = new QVBoxLayout;
     m_column->setSpacing(2);
     column->addLayout(m_column);
     column->addWidget(m_problems);
     column->addWidget(m_add);
+    column->addWidget(m_handOn);
     column->addStretch(1);
     area->setWidget(page);
     setWidget(area);
@@ -84,10 +97,30 @@ void ValuesDock::addNew()
         m_rows.back()->beginNaming();
 }
 
+void ValuesDock::setAdjustsOnly(bool only)
+{
+    m_adjustsOnly = only;
+    setFeatures(only ? NoDockWidgetFeatures
+                     : DockWidgetClosable | DockWidgetMovable | DockWidgetFloatable);
+    for (QToolButton *button : titleBarWidget()->findChildren<QToolButton *>())
+        button->setVisible(!only);
+    for (ValueRow *row : m_rows)
+        row->setAdjustsOnly(only);
+    refresh();
+}
+
+std::vector<ValuePointer> ValuesDock::listed() const
+{
+    std::vector<ValuePointer> list = m_bench.session().model().document.values.list;
+    if (m_adjustsOnly)
+        std::erase_if(list, [](const ValuePointer &known) { return !known->value.isShown; });
+    return list;
+}
+
 /// Rows that are there stay, with what is typed in them and what is unfolded.
 void ValuesDock::makeRows()
 {
-    const std::vector<ValuePointer> &list = m_bench.session().model().document.values.list;
+    const std::vector<ValuePointer> list = listed();
     const bool isSame = std::equal(m_rows.begin(), m_rows.end(), list.begin(), list.end(),
                                    [](const ValueRow *row, const ValuePointer &known) {
                                        return row->value() == known->value.id;
@@ -105,6 +138,7 @@ void ValuesDock::makeRows()
         if (!row) {
             row = new ValueRow(m_bench, id, widget());
             row->setObjectName(QStringLiteral("valueRow"));
+            row->setAdjustsOnly(m_adjustsOnly);
             connect(row, &ValueRow::hovered, this, [this, id](bool isOver) { light(id, isOver); });
         }
         m_column->removeWidget(row);
@@ -138,13 +172,33 @@ void ValuesDock::refresh()
     makeRows();
     for (ValueRow *row : m_rows)
         row->refresh();
-    m_empty->setVisible(m_rows.empty());
+    refreshAround();
     const QString problems = notFollowing();
     m_problems->setVisible(!problems.isEmpty());
     m_problems->setText(problems);
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, theme().problem);
     m_problems->setPalette(colours);
+}
+
+/// What stands above and below the rows.
+void ValuesDock::refreshAround()
+{
+    const bool hasShown = hasShownValue(m_bench.session().model().document.values);
+    m_purpose->setVisible(m_adjustsOnly && hasShown);
+    m_empty->setVisible(m_rows.empty());
+    m_empty->setText(
+        m_adjustsOnly
+            ? tr("There is nothing to adjust in this design.")
+            : tr("A value has a name that number fields take, also in sums such as = 2*gap."));
+    m_add->setVisible(!m_adjustsOnly);
+    m_handOn->setVisible(m_adjustsOnly || hasShown);
+    m_handOn->setText(m_adjustsOnly ? tr("Edit the design") : tr("Hand on for adjusting"));
+    m_handOn->setToolTip(m_adjustsOnly
+                             ? tr("Bring back drawing and all panels; when it is saved now, the "
+                                  "file opens like that.")
+                             : tr("Whoever opens the saved model sees the view, the shown values "
+                                  "and Export, and nothing else."));
 }
 
 void ValuesDock::light(ValueId value, bool isOver)

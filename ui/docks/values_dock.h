@@ -29,6 +29,8 @@ public:
     void refreshColours();
     /// Another value, whose name is to be typed next.
     void addNew();
+    /// Whoever only adjusts the design sees the shown values, and neither closes nor moves this.
+    void setAdjustsOnly(bool only);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -37,16 +39,20 @@ protected:
 private:
     void refresh();
     void makeRows();
+    std::vector<ValuePointer> listed() const;
+    void refreshAround();
     void light(ValueId value, bool isOver);
     QString notFollowing() const;
 
     Workbench &m_bench;
-    QPushButton *m_add = nullptr;
+    QLabel *m_purpose = nullptr; // for whoever only adjusts
+    QPushButton *m_add = nullptr, *m_handOn = nullptr;
     QLabel *m_empty = nullptr;
     QLabel *m_problems = nullptr; // of numbers that do not follow
     QVBoxLayout *m_column = nullptr;
     std::vector<ValueRow *> m_rows;
     ValueId m_lit;
+    bool m_adjustsOnly = false;
 };
 
 } // namespace fff::ui

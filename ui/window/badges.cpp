@@ -55,7 +55,8 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
         auto *badge = new Badge(this);
         badge->setObjectName(QStringLiteral("badge%1").arg(m_badges.size()));
         badge->hide();
-        connect(badge, &Badge::clicked, this, [this, subject] { Q_EMIT clicked(subject); });
+        connect(badge, &Badge::clicked, this,
+                [this, subject, badge] { Q_EMIT clicked(subject, badge->toolTip()); });
         row->addWidget(badge);
         m_badges.push_back(badge);
     }

@@ -31,7 +31,8 @@ public:
     void refreshColours();
 
 Q_SIGNALS:
-    void clicked(fff::Subject subject);
+    /// sentence  that says it in full
+    void clicked(fff::Subject subject, const QString &sentence);
 
 protected:
     bool eventFilter(QObject *object, QEvent *event) override;

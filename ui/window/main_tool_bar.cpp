@@ -2,12 +2,11 @@
 
 #include "ui/actions/action_set.h"
 #include "ui/base/icon.h"
-#include "ui/base/theme.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/stock_box.h"
+#include "ui/window/export_button.h"
 
 #include <QMenu>
-#include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
 
@@ -60,7 +59,9 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     auto *gap = new QWidget(this);
     gap->setFixedWidth(6);
     addWidget(gap);
-    makeExport(actions.action("file.export"));
+    m_export = new ExportButton(actions.action("file.export"), this);
+    m_export->setObjectName(QStringLiteral("exportButton"));
+    addWidget(m_export);
     connect(&bench, &Workbench::selectionChanged, this, &MainToolBar::followSelection);
 }
 
@@ -114,21 +115,6 @@ void MainToolBar::makeRepeat()
     m_repeatAction = addWidget(m_repeat);
 }
 
-void MainToolBar::makeExport(QAction *exporting)
-{
-    m_export = new QPushButton(exporting->iconText(), this);
-    m_export->setObjectName(QStringLiteral("exportButton"));
-    m_export->setIconSize({18, 18});
-    const auto follow = [this, exporting] {
-        m_export->setEnabled(exporting->isEnabled());
-        m_export->setToolTip(exporting->toolTip());
-    };
-    follow();
-    connect(exporting, &QAction::changed, m_export, follow);
-    connect(m_export, &QPushButton::clicked, exporting, &QAction::trigger);
-    addWidget(m_export);
-}
-
 void MainToolBar::fold(int windowWidth)
 {
     placeOperations(windowWidth >= kOperationButtons);
@@ -174,12 +160,7 @@ void MainToolBar::setFolded(bool isFolded)
 
 void MainToolBar::refresh()
 {
-    const auto mask = [this](const QColor &colour) {
-        return tintedPixmap(QStringLiteral("export"), 18, colour, devicePixelRatioF());
-    };
-    QIcon exporting(mask(theme().onAccent));
-    exporting.addPixmap(mask(theme().muted), QIcon::Disabled);
-    m_export->setIcon(exporting);
+    m_export->refresh();
 }
 
 } // namespace fff::ui

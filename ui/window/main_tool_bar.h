@@ -6,12 +6,12 @@
 
 #include <vector>
 
-class QPushButton;
 class QToolButton;
 
 namespace fff::ui {
 
 class ActionSet;
+class ExportButton;
 class StockBox;
 class Workbench;
 
@@ -28,7 +28,6 @@ public:
 
 private:
     void makeRepeat();
-    void makeExport(QAction *exporting);
     void placeOperations(bool hasButtons);
     void place(const std::vector<QAction *> &actions, bool isThere, QAction *before);
     void followSelection();
@@ -36,7 +35,7 @@ private:
 
     Workbench &m_bench;
     StockBox *m_stock = nullptr;
-    QPushButton *m_export = nullptr;
+    ExportButton *m_export = nullptr;
     std::vector<QAction *> m_operations;
     std::vector<QAction *> m_ofSection; // there while one is selected
     QAction *m_ofDrawing = nullptr;     // beside them

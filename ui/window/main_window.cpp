@@ -34,6 +34,8 @@
 #include "ui/start/start_page.h"
 #include "ui/steps/steps_export.h"
 #include "ui/steps/steps_view.h"
+#include "ui/window/adjust_bar.h"
+#include "ui/window/adjusting.h"
 #include "ui/window/badges.h"
 #include "ui/window/canvas_bar.h"
 #include "ui/window/context_menu.h"
@@ -100,6 +102,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
     addToolBar(m_toolBar);
     makeMenus();
+    makeAdjusting();
     m_layout->restore();
     refreshTheme();
 
@@ -123,9 +126,13 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     connect(m_files, &DocumentFiles::exported, m_actions, &ActionSet::refresh);
     auto *drop = new FileDrop(*this);
     connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
-    connect(drop, &FileDrop::meshDropped, this, &MainWindow::readMesh);
+    connect(drop, &FileDrop::meshDropped, this, [this](const QString &path) {
+        if (!isOnlyAdjusted())
+            readMesh(path);
+    });
     connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {
-        readDrawing(QStringLiteral("section.importSections"), path);
+        if (!isOnlyAdjusted())
+            readDrawing(QStringLiteral("section.importSections"), path);
     });
     connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
     connect(m_files, &DocumentFiles::pathChanged, m_actions, &ActionSet::refresh);
@@ -196,7 +203,8 @@ void MainWindow::makeDocks()
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
         auto *menu = new ContextMenu(*m_bench, *m_actions, m_view);
-        connect(viewport, &Viewport::enterPressed, this, [this] { goInto(*m_properties); });
+        connect(viewport, &Viewport::enterPressed, this,
+                [this] { m_adjusting->isOn() ? goInto(*m_values) : goInto(*m_properties); });
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
         connect(viewport, &Viewport::menuWanted, menu, &ContextMenu::openAt);
         connect(viewport, &Viewport::menuKeyPressed, menu, &ContextMenu::openForSelection);
@@ -218,7 +226,12 @@ void MainWindow::makeDocks()
     connect(m_layout, &WindowLayout::hiddenChanged, m_actions, &ActionSet::refresh);
     connect(m_sheets, &QDockWidget::visibilityChanged, m_actions, &ActionSet::refresh);
 
-    connect(m_badges, &Badges::clicked, m_checks, qOverload<Subject>(&ChecksDock::choose));
+    connect(m_badges, &Badges::clicked, this, [this](Subject subject, const QString &sentence) {
+        if (m_adjusting->isOn())
+            m_status->say(sentence);
+        else
+            m_checks->choose(subject);
+    });
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
     connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
@@ -431,6 +444,7 @@ void MainWindow::refreshTheme()
     m_properties->refresh();
     m_status->refresh();
     m_toolBar->refresh();
+    m_adjustBar->refresh();
     setWindowIcon(tintedPixmap(QStringLiteral("section"), 64, theme().accent, 1.0));
     m_view->update();
 }

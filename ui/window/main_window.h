@@ -14,6 +14,8 @@ class QStackedWidget;
 namespace fff::ui {
 
 class ActionSet;
+class AdjustBar;
+class Adjusting;
 class Badges;
 class ViewChips;
 struct MeshImported;
@@ -89,6 +91,8 @@ private:
     bool pastePicture();
     void tellImported(const MeshImported &imported);
     void connectTemplates();
+    void makeAdjusting();
+    bool isOnlyAdjusted();
     void run(const QString &id);
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.
@@ -122,6 +126,8 @@ private:
     StatusLine *m_status = nullptr;
     DocumentFiles *m_files = nullptr;
     MainToolBar *m_toolBar = nullptr;
+    AdjustBar *m_adjustBar = nullptr;
+    Adjusting *m_adjusting = nullptr;
     WindowLayout *m_layout = nullptr;
     QStackedWidget *m_middle = nullptr; // the view, or the start page
     UnsavedWork *m_unsaved = nullptr;

@@ -186,7 +186,7 @@ bool WindowLayout::isAsAtFirst(bool narrow) const
 
 void WindowLayout::followWidth()
 {
-    if (m_isHidden || m_isAway || isAsAtFirst(isNarrow()) || !isAsAtFirst(!isNarrow()))
+    if (m_isHidden || m_isAway || m_only || isAsAtFirst(isNarrow()) || !isAsAtFirst(!isNarrow()))
         return;
     std::vector<bool> areShown;
     for (const QDockWidget *dock : m_docks)
@@ -211,6 +211,7 @@ void WindowLayout::restore()
 void WindowLayout::windowShown()
 {
     const bool away = std::exchange(m_isAway, false);
+    QDockWidget *only = std::exchange(m_only, nullptr);
     reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     const auto firstIn = [this](Place place) {
@@ -224,7 +225,9 @@ void WindowLayout::windowShown()
         shareColumn(m_window, left, below);
     m_window.restoreState(settings().windowState(), kVersion);
     followWidth();
-    setAway(away);
+    m_only = only;
+    m_isAway = away;
+    follow();
 }
 
 void WindowLayout::save() const
@@ -251,29 +254,57 @@ void WindowLayout::setAway(bool away)
     follow();
 }
 
+void WindowLayout::setOnly(QDockWidget *dock, QToolBar *bar)
+{
+    m_barOfOnly = bar;
+    if (dock == m_only)
+        return showBars();
+    m_only = dock;
+    follow();
+}
+
 void WindowLayout::follow()
 {
-    if (!m_isHidden && !m_isAway)
+    if (!m_isHidden && !m_isAway && !m_only)
         return bringBack();
     if (m_beforeHiding.isEmpty())
         m_beforeHiding = m_window.saveState(kVersion);
     for (QDockWidget *dock : m_docks)
-        dock->hide();
+        if (dock != m_only || m_isAway)
+            dock->hide();
+    if (m_only && !m_isAway)
+        showOnly();
+    showBars();
+}
+
+void WindowLayout::showOnly()
+{
+    m_only->setFloating(false);
+    m_window.addDockWidget(Qt::RightDockWidgetArea, m_only);
+    m_only->show();
+    m_window.resizeDocks({m_only}, {kRightWidth}, Qt::Horizontal);
+}
+
+void WindowLayout::showBars()
+{
     for (QToolBar *bar : m_window.findChildren<QToolBar *>())
-        bar->setVisible(!m_isAway);
+        bar->setVisible(!m_isAway && (bar == m_barOfOnly) == (m_only != nullptr));
 }
 
 void WindowLayout::bringBack()
 {
     if (m_beforeHiding.isEmpty())
-        return;
+        return showBars();
     if (!m_window.restoreState(std::exchange(m_beforeHiding, {}), kVersion))
         reset();
     followWidth();
+    showBars();
 }
 
 void WindowLayout::show(QDockWidget *dock)
 {
+    if (m_only && dock != m_only)
+        return;
     setHidden(false);
     setAway(false);
     dock->show();
@@ -300,7 +331,7 @@ void WindowLayout::forgetHiding()
 {
     m_beforeHiding.clear();
     const bool wasHidden = std::exchange(m_isHidden, false);
-    if (m_isAway)
+    if (m_isAway || m_only)
         follow();
     if (wasHidden)
         Q_EMIT hiddenChanged(false);

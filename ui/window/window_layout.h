@@ -8,6 +8,7 @@
 
 class QDockWidget;
 class QMainWindow;
+class QToolBar;
 
 namespace fff::ui {
 
@@ -47,10 +48,13 @@ public:
     bool isHidden() const { return m_isHidden; }
     /// Docks and tool bar away while there is no model to work on, and back as they were.
     void setAway(bool away);
-    /// Call when the window has another width. Docks that are still where a window of the other kind
-    /// (wide, narrow) has them go where this one has them; what the person has moved stays.
+    /// This dock at the right and this tool bar, all others away; null: back exactly as they were.
+    void setOnly(QDockWidget *dock, QToolBar *bar);
+    /// Call when the window has another width. Docks that are still where a window of the other
+    /// kind (wide, narrow) has them go where this one has them; what the person has moved stays.
     void followWidth();
-    /// Brings a dock to the front, wherever it is; the others too, if all were hidden.
+    /// Brings a dock to the front, wherever it is; the others too, if all were hidden. Nothing
+    /// while another is the only one.
     void show(QDockWidget *dock);
 
 Q_SIGNALS:
@@ -67,6 +71,8 @@ private:
     Place placeOf(std::size_t dock, bool narrow) const;
     bool isAsAtFirst(bool narrow) const;
     void forgetHiding();
+    void showOnly();
+    void showBars();
 
     QMainWindow &m_window;
     std::vector<QDockWidget *> m_docks;
@@ -75,6 +81,8 @@ private:
     std::vector<char> m_areShown; // at first
     QByteArray m_beforeHiding;    // empty: nothing is hidden
     bool m_isHidden = false, m_isAway = false;
+    QDockWidget *m_only = nullptr;   // null: all
+    QToolBar *m_barOfOnly = nullptr; // is there with it, and never else
 };
 
 } // namespace fff::ui

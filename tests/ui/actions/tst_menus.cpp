@@ -144,6 +144,9 @@ void TestMenus::whatPeopleTypeIsFound_data()
     row("keyboard", "file.shortcuts");
     row("shortcuts", "file.shortcuts");
     row("hotkey", "file.shortcuts");
+    row("customizer", "value.handOn");
+    row("hand on", "value.handOn");
+    row("share", "value.handOn");
     row("print", "file.export");
     row("laser", "file.export");
     row("dxf", "file.export");
