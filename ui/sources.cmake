@@ -104,6 +104,8 @@ target_sources(fff_ui PRIVATE
     docks/value_details.cpp
     docks/value_editor.cpp
     docks/value_row.cpp
+    docks/value_trial_job.cpp
+    docks/value_trial_rows.cpp
     docks/values_dock.cpp
     files/coupon_export.cpp
     files/document_files.cpp

@@ -9,6 +9,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
 #include "ui/docks/value_row.h"
+#include "ui/docks/value_trial_rows.h"
 #include "ui/properties/driven_field.h"
 #include "ui/settings/settings.h"
 
@@ -70,6 +71,8 @@ ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
     m_column->setSpacing(2);
     column->addLayout(m_column);
     column->addWidget(m_problems);
+    m_trials = new ValueTrialRows(bench, page);
+    column->addWidget(m_trials);
     column->addWidget(m_add);
     column->addWidget(m_handOn);
     column->addStretch(1);
@@ -106,6 +109,7 @@ void ValuesDock::setAdjustsOnly(bool only)
         button->setVisible(!only);
     for (ValueRow *row : m_rows)
         row->setAdjustsOnly(only);
+    m_trials->setOffered(!only);
     refresh();
 }
 
@@ -173,6 +177,7 @@ void ValuesDock::refresh()
     for (ValueRow *row : m_rows)
         row->refresh();
     refreshAround();
+    m_trials->refresh();
     const QString problems = notFollowing();
     m_problems->setVisible(!problems.isEmpty());
     m_problems->setText(problems);

@@ -17,6 +17,7 @@ class QVBoxLayout;
 namespace fff::ui {
 
 class ValueRow;
+class ValueTrialRows;
 class Workbench;
 
 class ValuesDock : public QDockWidget
@@ -50,6 +51,7 @@ private:
     QLabel *m_empty = nullptr;
     QLabel *m_problems = nullptr; // of numbers that do not follow
     QVBoxLayout *m_column = nullptr;
+    ValueTrialRows *m_trials = nullptr;
     std::vector<ValueRow *> m_rows;
     ValueId m_lit;
     bool m_adjustsOnly = false;
