@@ -46,7 +46,7 @@ constexpr std::array kVerbs = {
          QT_TRANSLATE_NOOP("CommandLine", "How it goes together, step by step; needs a display"),
          runSteps},
 #endif
-    Verb{"values", "FILE [--json] [options]",
+    Verb{"values", "FILE [--json] [--try [--seed N]] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "The named values of a model, and what is made of them"),
          runValues},
     Verb{"variants", "FILE --table T.csv -o DIR [--format KIND] [options]",

@@ -1,10 +1,12 @@
 #include "app/cli/command_line.h"
+#include "app/cli/value_trial_text.h"
 #include "core/io/json_writer.h"
 #include "core/model/value_names.h"
 #include "core/operations/driven.h"
 #include "core/session/message_text.h"
 #include "core/values/number_text.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace fff::cli {
@@ -12,6 +14,8 @@ namespace fff::cli {
 namespace {
 
 using io::JsonWriter;
+
+constexpr double kMostTrialSeed = 1e9;
 
 QString tr(const char *text)
 {
@@ -84,11 +88,14 @@ void writeDrivenNumber(JsonWriter &json, const Binding &binding, const Driven &m
     json.endObject();
 }
 
-std::string valuesJson(const Driven &model, const QString &file)
+std::string valuesJson(const Driven &model, const QString &file,
+                       const std::optional<ValueTrials> &tried)
 {
     JsonWriter json;
     json.beginObject();
     json.member("file", file.toStdString());
+    if (model.document.opensForAdjusting)
+        json.member("opensForAdjusting", true);
     json.key("values");
     json.beginArray();
     for (const ValuePointer &known : model.document.values.list)
@@ -99,6 +106,8 @@ std::string valuesJson(const Driven &model, const QString &file)
     for (const BindingPointer &pointer : model.document.bindings)
         writeDrivenNumber(json, pointer->binding, model);
     json.endArray();
+    if (tried)
+        writeTrials(json, *tried);
     json.endObject();
     return json.take();
 }
@@ -157,6 +166,11 @@ int runValues(const QStringList &arguments)
     const Verb &verb = verbNamed("values");
     QCommandLineParser parser;
     parser.addOption({QStringLiteral("json"), tr("Prints JSON, for other programs.")});
+    parser.addOption(
+        {QStringLiteral("try"), tr("Tries the ranges of the values that are shown to others.")});
+    parser.addOption({QStringLiteral("seed"),
+                      tr("Another number tries other places, the same one the same."),
+                      QStringLiteral("N")});
     addDocumentOptions(parser);
     const Arguments found = parse(parser, verb, arguments, 1);
     if (found.status)
@@ -165,12 +179,20 @@ int runValues(const QStringList &arguments)
     const std::optional<DocumentOptions> options = documentOptions(parser, verb, status);
     if (!options)
         return *status;
+    const double seed = number(parser, verb, "seed", 0.0, status, kMostTrialSeed).value_or(1.0);
+    if (status)
+        return *status;
     Loaded loaded = load(found.files.front(), *options, verb);
     if (loaded.status)
         return *loaded.status;
     const Driven model = driven(std::move(loaded.document));
-    return parser.isSet(QStringLiteral("json")) ? print(valuesJson(model, found.files.front()))
-                                                : printLines(valuesText(model));
+    std::optional<ValueTrials> tried;
+    if (parser.isSet(QStringLiteral("try")))
+        tried = triedValues(model.document, static_cast<std::uint64_t>(seed));
+    const int printed = parser.isSet(QStringLiteral("json"))
+                            ? print(valuesJson(model, found.files.front(), tried))
+                            : printLines(tried ? trialsText(*tried) : valuesText(model));
+    return printed == Done && tried && tried->failing() > 0 ? ProblemsFound : printed;
 }
 
 } // namespace fff::cli

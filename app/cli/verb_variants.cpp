@@ -3,6 +3,7 @@
 #include "app/cli/info.h"
 #include "app/cli/table.h"
 #include "app/cli/value_options.h"
+#include "app/cli/value_trial_text.h"
 #include "core/analysis/plan_checks.h"
 #include "core/io/cutting_file.h"
 #include "core/io/error_text.h"
@@ -12,9 +13,8 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string>
-#include <utility>
 
 namespace fff::cli {
 
@@ -24,15 +24,6 @@ QString tr(const char *text)
 {
     return QCoreApplication::translate("CommandLine", text);
 }
-
-/// Columns of the table of verdicts, published.
-constexpr std::array<std::pair<const char *, Subject>, 6> kVerdicts{
-    {{"connection", Subject::Connection},
-     {"stability", Subject::Stability},
-     {"assembly", Subject::Assembly},
-     {"strength", Subject::Strength},
-     {"size", Subject::Size},
-     {"joints", Subject::Joints}}};
 
 QString csvCell(const QString &text)
 {
@@ -63,7 +54,7 @@ QStringList verdictsOf(const Analysis &analysis)
     const std::vector<Finding> found =
         allFound(analysis, planOf(analysis, timeLimit(kPlanningTime)));
     QStringList cells;
-    for (const auto &[column, subject] : kVerdicts) {
+    for (const auto &[column, subject] : kVerdictColumns) {
         Severity worst = Severity::Good;
         for (const Finding &finding : found)
             if (finding.subject() == subject)
@@ -76,7 +67,7 @@ QStringList verdictsOf(const Analysis &analysis)
 Variant wrongVariant(const QString &why)
 {
     Variant variant;
-    variant.cells = QStringList(static_cast<qsizetype>(kVerdicts.size()) + 1);
+    variant.cells = QStringList(static_cast<qsizetype>(std::size(kVerdictColumns)) + 1);
     variant.wrong = why;
     return variant;
 }
@@ -121,7 +112,7 @@ int makeAll(const Document &document, const std::vector<TableRow> &rows, const i
     QStringList head{QStringLiteral("line")};
     head += rows.front().cells;
     head += QStringLiteral("file");
-    for (const auto &[column, subject] : kVerdicts)
+    for (const auto &[column, subject] : kVerdictColumns)
         head += QLatin1String(column);
     head += QStringLiteral("problem");
     QString verdicts = csvRow(head);

@@ -63,6 +63,7 @@ private Q_SLOTS:
     void variants();
     void wrongLinesAreNamed();
     void tables();
+    void rangesAreTried();
 
 private:
     QString put(const QString &name, const QByteArray &bytes)
@@ -208,6 +209,39 @@ void TestCliValues::tables()
     QCOMPARE((*cli::readTable(u"a;b\n1,5;2"_s))[1].cells, QStringList({u"1,5"_s, u"2"_s}));
     QVERIFY(!cli::readTable(u"a\n\"1"_s));
     QVERIFY(cli::readTable(QString())->empty());
+}
+
+// Wrong: a script that makes thirty of them does not hear that some fall over.
+void TestCliValues::rangesAreTried()
+{
+    Document document = cross();
+    Value width = *document.values.find(std::string_view("width"));
+    width.isShown = true;
+    width.range = {90.0, 120.0, {}};
+    const QString good = m_folder.filePath(u"good.fff"_s), bad = m_folder.filePath(u"bad.fff"_s);
+    QVERIFY(io::writeDocument(good, changeValue(document, width).value()));
+    width.range.most = 4000.0; // no sheet is as wide, and no slit
+    QVERIFY(io::writeDocument(bad, changeValue(document, width).value()));
+    const Run holds = run({u"values"_s, good, u"--try"_s});
+    QVERIFY2(holds.status == 0, holds.out.constData());
+    QVERIFY2(holds.out.contains("2 of 2 corners"), holds.out.constData());
+    const Run fails = run({u"values"_s, bad, u"--try"_s, u"--json"_s});
+    QCOMPARE(fails.status, 3);
+    const QJsonObject tried = QJsonDocument::fromJson(fails.out).object()["tried"_L1].toObject();
+    const QJsonArray places = tried["places"_L1].toArray();
+    QCOMPARE(tried["corners"_L1].toInt(), 2);
+    QVERIFY(places.size() > 40);
+    int failing = 0;
+    for (const QJsonValue &place : places)
+        failing += place.toObject()["holds"_L1].toBool() ? 0 : 1;
+    QCOMPARE(tried["failing"_L1].toInt(), failing);
+    QCOMPARE(places[0].toObject()["values"_L1].toObject()["width"_L1].toDouble(), 90.0);
+    QVERIFY(!places[1].toObject()["holds"_L1].toBool());
+    // The same seed, the same places.
+    QVERIFY(run({u"values"_s, bad, u"--try"_s, u"--json"_s, u"--seed"_s, u"1"_s}).out == fails.out);
+    const Run none = run({u"values"_s, m_file, u"--try"_s});
+    QCOMPARE(none.status, 0);
+    QCOMPARE(run({u"values"_s, m_file, u"--try"_s, u"--seed"_s, u"x"_s}).status, 1);
 }
 
 FFF_TEST(TestCliValues)
