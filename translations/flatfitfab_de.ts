@@ -3361,6 +3361,30 @@
         <source>A number with a name, which number fields take</source>
         <translation>Eine Zahl mit einem Namen, den Zahlenfelder annehmen</translation>
     </message>
+    <message>
+        <source>The model is here to be adjusted; “Edit the design” brings all back</source>
+        <translation>Das Modell ist zum Anpassen da; „Entwurf bearbeiten“ holt alles zurück</translation>
+    </message>
+    <message>
+        <source>Hand on for adjusting</source>
+        <translation>Zum Anpassen weitergeben</translation>
+    </message>
+    <message>
+        <source>Hand on</source>
+        <translation>Weitergeben</translation>
+    </message>
+    <message>
+        <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else</source>
+        <translation>Wer das gespeicherte Modell öffnet, sieht die Ansicht, die gezeigten Werte und den Export, sonst nichts</translation>
+    </message>
+    <message>
+        <source>Edit the design</source>
+        <translation>Entwurf bearbeiten</translation>
+    </message>
+    <message>
+        <source>No value is shown to others yet</source>
+        <translation>Noch wird kein Wert anderen gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -4895,6 +4919,13 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message>
+        <source>Cannot be made</source>
+        <translation>Lässt sich nicht machen</translation>
+    </message>
+</context>
+<context>
     <name>Format</name>
     <message>
         <source>FlatFitFab models</source>
@@ -5903,6 +5934,14 @@
     <message>
         <source>Draw the outline: leave the grey zone where it should start. Release here to cancel.</source>
         <translation>Jetzt die Kontur zeichnen: den grauen Bereich dort verlassen, wo sie beginnen soll. Loslassen bricht ab.</translation>
+    </message>
+    <message>
+        <source>No narrower ranges were found in which the model holds.</source>
+        <translation>Es wurden keine engeren Bereiche gefunden, in denen das Modell hält.</translation>
+    </message>
+    <message>
+        <source>Drag to turn the view; the wheel zooms.</source>
+        <translation>Ziehen dreht die Ansicht, das Rad zoomt.</translation>
     </message>
 </context>
 <context>
@@ -7658,6 +7697,22 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>%1 abwickeln</translation>
     </message>
+    <message>
+        <source>Hand on for adjusting</source>
+        <translation>Zum Anpassen weitergeben</translation>
+    </message>
+    <message>
+        <source>Edit the design</source>
+        <translation>Entwurf bearbeiten</translation>
+    </message>
+    <message>
+        <source>Set the values</source>
+        <translation>Werte einstellen</translation>
+    </message>
+    <message>
+        <source>Narrow the ranges</source>
+        <translation>Bereiche einengen</translation>
+    </message>
 </context>
 <context>
     <name>Suggestion</name>
@@ -8820,6 +8875,32 @@
     <message>
         <source>It is not on the ground.</source>
         <translation>Es ist nicht auf dem Boden.</translation>
+        <source>No value that is shown to others has a range and is used.</source>
+        <translation>Kein Wert, der anderen gezeigt wird, hat einen Bereich und wird gebraucht.</translation>
+    </message>
+    <message>
+        <source>Tried: %1 of %2 corners of the ranges, %3 places between them.</source>
+        <translation>Probiert: %1 von %2 Ecken der Bereiche, %3 Stellen dazwischen.</translation>
+    </message>
+    <message>
+        <source>All of them hold.</source>
+        <translation>Alle halten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 do not hold:</source>
+        <translation>%1 von %2 halten nicht:</translation>
+    </message>
+    <message>
+        <source>Where:</source>
+        <translation>Wo:</translation>
+    </message>
+    <message>
+        <source>Tries the ranges of the values that are shown to others.</source>
+        <translation>Probiert die Bereiche der Werte, die anderen gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Another number tries other places, the same one the same.</source>
+        <translation>Eine andere Zahl probiert andere Stellen, dieselbe dieselben.</translation>
     </message>
 </context>
 <context>
@@ -8966,6 +9047,13 @@
     <message>
         <source>&amp;Select</source>
         <translation>Au&amp;swählen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::AdjustBar</name>
+    <message>
+        <source>Tool bar for adjusting</source>
+        <translation>Werkzeugleiste zum Anpassen</translation>
     </message>
 </context>
 <context>
@@ -11082,6 +11170,10 @@
         <source>Start a new model, continue one, or look at a sample.</source>
         <translation>Ein eigenes Modell beginnen, an einem weiterarbeiten oder ein Beispiel ansehen.</translation>
     </message>
+    <message>
+        <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
+        <translation>Dieses Modell ist zum Anpassen da. „Entwurf bearbeiten“ holt alles zurück.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MakingGroup</name>
@@ -12560,6 +12652,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>test piece kerf clearance slits comb</source>
         <translation>teststück schnittbreite spiel schlitze kamm passprobe</translation>
+    </message>
+    <message>
+        <source>share give customizer customise customize configure student class adjust sliders locked full window</source>
+        <translation>teilen geben freigeben anpassen konfigurieren schüler klasse regler gesperrt vorlage customizer</translation>
     </message>
 </context>
 <context>
@@ -14411,6 +14507,74 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::ValueTrialRows</name>
+    <message numerus="yes">
+        <source>All %n place(s) that were tried hold.</source>
+        <translation>
+            <numerusform>Die eine probierte Stelle hält.</numerusform>
+            <numerusform>Alle %n probierten Stellen halten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1 is what is wrong, such as &quot;Falls over&quot;, %2 in how many places it is</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n place(s) do not hold: %2.</source>
+        <extracomment>%1 is a number, %2 a list such as &quot;Falls over (5), Breaks (2)&quot;</extracomment>
+        <translation>
+            <numerusform>%1 von %n Stelle hält nicht: %2.</numerusform>
+            <numerusform>%1 von %n Stellen halten nicht: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of %1 corners %2 were tried.</source>
+        <translation>Von %1 Ecken wurden %2 probiert.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1 is the name of a value, %2 what it is: &quot;width 400 mm&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;width 400 mm, boards 6&quot;, %2 what is wrong there</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n other(s)</source>
+        <translation>
+            <numerusform>und %n andere</numerusform>
+            <numerusform>und %n andere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Trying the ranges… %1 %</source>
+        <translation>Die Bereiche werden probiert … %1 %</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal probieren</translation>
+    </message>
+    <message>
+        <source>Try all ranges</source>
+        <translation>Alle Bereiche probieren</translation>
+    </message>
+    <message>
+        <source>Narrow the ranges</source>
+        <translation>Bereiche einengen</translation>
+    </message>
+    <message>
+        <source>Says where in the ranges of the shown values the model cannot be assembled, breaks, falls over or does not fit.</source>
+        <translation>Sagt, wo in den Bereichen der gezeigten Werte das Modell nicht zusammenzubauen ist, bricht, umfällt oder nicht passt.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::ValuesDock</name>
     <message>
         <source>Values</source>
@@ -14428,6 +14592,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>value</source>
         <extracomment>the name of a new value, one word of letters</extracomment>
         <translation>wert</translation>
+    </message>
+    <message>
+        <source>This design is made to be adjusted: set its values, then export it. Drag in the view to turn it.</source>
+        <translation>Dieser Entwurf ist zum Anpassen da: Stelle seine Werte ein und exportiere ihn dann. Ziehen in der Ansicht dreht ihn.</translation>
+    </message>
+    <message>
+        <source>There is nothing to adjust in this design.</source>
+        <translation>An diesem Entwurf gibt es nichts anzupassen.</translation>
+    </message>
+    <message>
+        <source>Edit the design</source>
+        <translation>Entwurf bearbeiten</translation>
+    </message>
+    <message>
+        <source>Hand on for adjusting</source>
+        <translation>Zum Anpassen weitergeben</translation>
+    </message>
+    <message>
+        <source>Bring back drawing and all panels; when it is saved now, the file opens like that.</source>
+        <translation>Holt Zeichnen und alle Fenster zurück; wird jetzt gespeichert, geht die Datei so auf.</translation>
+    </message>
+    <message>
+        <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
+        <translation>Wer das gespeicherte Modell öffnet, sieht die Ansicht, die gezeigten Werte und den Export, sonst nichts.</translation>
     </message>
 </context>
 <context>
