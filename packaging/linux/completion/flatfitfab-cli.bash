@@ -22,7 +22,7 @@ _flatfitfab_cli()
     export) flags='-o --output --format --no-reference --margin --spacing --no-turning --nest --sheets --machine --skin --tabs --lead --common-lines --coupon --dxf --paper --parts --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     render) flags='-o --output --size --view --show --accurate --template --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     steps) flags='-o --output --paper --size --view --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
-    values) flags='--json --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
+    values) flags='--json --try --seed --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     variants) flags='--table -o --output --format --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     operations) flags='--json --set --thickness --stock --kerf --clearance --sheet --unit-mm --verbose -h --help' ;;
     cut) flags='--plane --size --json -h --help' ;;
