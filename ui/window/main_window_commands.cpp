@@ -15,6 +15,8 @@
 #include "ui/settings/settings.h"
 #include "ui/sheets/sheets_dock.h"
 #include "ui/steps/steps_view.h"
+#include "ui/window/adjust_bar.h"
+#include "ui/window/adjusting.h"
 #include "ui/window/main_tool_bar.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_layout.h"
@@ -178,8 +180,14 @@ void MainWindow::addCommands()
         [this] { return isFullScreen(); });
     add("view.resetWindow", [this] { resetLayout(); });
     add("help.about", [this] { AboutDialog(this).exec(); });
-    add("view.nextPane", [this] { goToPane(*this, m_toolBar, m_view, 1); });
-    add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
+    const auto goBy = [this](int step) {
+        QToolBar *bar = m_toolBar;
+        if (m_adjusting->isOn())
+            bar = m_adjustBar;
+        goToPane(*this, bar, m_view, step);
+    };
+    add("view.nextPane", [goBy] { goBy(1); });
+    add("view.previousPane", [goBy] { goBy(-1); });
     add("view.properties", [this] { goInto(*m_properties); });
     const CommandRule checked = needsSections(m_bench->session());
     add(
