@@ -8873,8 +8873,6 @@
         <translation>Fällt um: Es steht nur auf einer einzigen Linie.</translation>
     </message>
     <message>
-        <source>It is not on the ground.</source>
-        <translation>Es ist nicht auf dem Boden.</translation>
         <source>No value that is shown to others has a range and is used.</source>
         <translation>Kein Wert, der anderen gezeigt wird, hat einen Bereich und wird gebraucht.</translation>
     </message>
@@ -8901,6 +8899,10 @@
     <message>
         <source>Another number tries other places, the same one the same.</source>
         <translation>Eine andere Zahl probiert andere Stellen, dieselbe dieselben.</translation>
+    </message>
+    <message>
+        <source>It is not on the ground.</source>
+        <translation>Es ist nicht auf dem Boden.</translation>
     </message>
 </context>
 <context>

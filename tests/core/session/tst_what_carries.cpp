@@ -105,6 +105,8 @@ class TestWhatCarries : public QObject
 private Q_SLOTS:
     void itStandsAsItsSolidsRest_data();
     void itStandsAsItsSolidsRest();
+    void whatHangsBesideIsAFoot_data();
+    void whatHangsBesideIsAFoot();
     void leaningBearsAsStandingDoes();
     void aToothAtASlitsMouthHoldsNothing();
     void halfInAnotherIsNoJoint();
@@ -160,6 +162,42 @@ void TestWhatCarries::itStandsAsItsSolidsRest()
 }
 
 // Wrong: forces along the drawn vertical on a ground that leans, which broke sections of 20 g.
+void TestWhatCarries::whatHangsBesideIsAFoot_data()
+{
+    QTest::addColumn<double>("hangs"); // mm
+    QTest::addColumn<bool>("isGood");
+    QTest::newRow("0.3 mm") << 0.3 << true;
+    QTest::newRow("0.5 mm") << 0.5 << true;
+    QTest::newRow("2 mm") << 2.0 << false;
+    QTest::newRow("4 mm") << 4.0 << false;
+}
+
+// Wrong: "Barely stands: the slightest push tips it over" of a plate on its edge, crossed by one
+// that ends half a millimetre above the ground.
+void TestWhatCarries::whatHangsBesideIsAFoot()
+{
+    QFETCH(double, hangs);
+    QFETCH(bool, isGood);
+    const Document document =
+        withSection(withSection(newDocument(), plateOf(-40, 0, 40, 60), front()),
+                    plateOf(-40, hangs, 40, 60), side());
+    const Staged all = staged(document);
+    const auto said = std::find_if(all.found.begin(), all.found.end(), [](const Finding &one) {
+        return one.details<Footing>() != nullptr;
+    });
+    QVERIFY(said != all.found.end());
+    QCOMPARE(said->is(isGood ? kStands : kLeans), true);
+    QCOMPARE(said->severity, isGood ? Severity::Good : Severity::Warning);
+    const Footing &footing = *said->details<Footing>();
+    QCOMPARE(footing.lean, 0.0);
+    const double rocks = std::atan(hangs / 38.5);
+    QVERIFY(footing.rocking >= rocks - 1e-6 && footing.rocking < rocks + radians(0.2));
+    QVERIFY(footing.tipAngle > radians(40));
+    // Its energy: it comes down on the foot before the plate's edge lets it go.
+    const SettleOracle oracle = settledOf(all);
+    QVERIFY(std::abs(oracle.lean()) < radians(0.1));
+}
+
 void TestWhatCarries::leaningBearsAsStandingDoes()
 {
     const Finding *level = nullptr;
