@@ -68,6 +68,7 @@ private:
         for (const QDockWidget *dock : m_window->findChildren<QDockWidget *>())
             if (dock->isVisible())
                 seen += dock->objectName();
+        seen.sort(); // raising one puts it behind the others
         return seen;
     }
     ValuesDock &dock() const { return *m_window->findChild<ValuesDock *>(); }
@@ -229,7 +230,7 @@ void TestAdjusting::theAuthorsWindowComesBackAsItWas()
     m_window->findChild<QDockWidget *>(QStringLiteral("historyDock"))->raise();
     bench().run(QStringLiteral("fabricate.sheets"));
     QTest::qWait(300);
-    QStringList before = seenDocks();
+    const QStringList before = seenDocks();
     const bool hadBar = m_window->findChild<MainToolBar *>()->isVisible();
     bench().run(QStringLiteral("value.handOn"));
     QTest::qWait(300);
