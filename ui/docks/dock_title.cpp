@@ -40,6 +40,7 @@ void dressDock(QDockWidget *dock, const char *objectName)
     auto *row = new QHBoxLayout(title);
     row->setContentsMargins(12, 0, 6, 0);
     row->setSpacing(2);
+    row->addStrut(kHeight); // also where no button is shown
     row->addWidget(name, 1);
     row->addWidget(floating);
     row->addWidget(close);

@@ -35,7 +35,6 @@ ValueRow::ValueRow(Workbench &bench, ValueId value, QWidget *parent)
     m_name->setFrame(false);
     m_name->setMinimumWidth(kValueNameWidth);
     m_name->setAccessibleName(tr("Name of the value"));
-    dress(m_name);
     connect(m_name, &QLineEdit::editingFinished, this, &ValueRow::rename);
     m_more =
         smallButton(QStringLiteral("chevron_right"), "valueMore", tr("Kind, range and note"), this);
