@@ -8877,18 +8877,6 @@
         <translation>Kein Wert, der anderen gezeigt wird, hat einen Bereich und wird gebraucht.</translation>
     </message>
     <message>
-        <source>Tried: %1 of %2 corners of the ranges, %3 places between them.</source>
-        <translation>Probiert: %1 von %2 Ecken der Bereiche, %3 Stellen dazwischen.</translation>
-    </message>
-    <message>
-        <source>All of them hold.</source>
-        <translation>Alle halten.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 do not hold:</source>
-        <translation>%1 von %2 halten nicht:</translation>
-    </message>
-    <message>
         <source>Where:</source>
         <translation>Wo:</translation>
     </message>
@@ -8903,6 +8891,18 @@
     <message>
         <source>It is not on the ground.</source>
         <translation>Es ist nicht auf dem Boden.</translation>
+    </message>
+    <message>
+        <source>Tried: %1 of %2 corners of the ranges, %3 variants between them.</source>
+        <translation>Probiert: %1 von %2 Ecken der Bereiche, %3 Varianten dazwischen.</translation>
+    </message>
+    <message>
+        <source>All of them are good.</source>
+        <translation>Alle sind gut.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fail:</source>
+        <translation>%1 von %2 taugen nicht:</translation>
     </message>
 </context>
 <context>
@@ -14510,25 +14510,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 </context>
 <context>
     <name>fff::ui::ValueTrialRows</name>
-    <message numerus="yes">
-        <source>All %n place(s) that were tried hold.</source>
-        <translation>
-            <numerusform>Die eine probierte Stelle hält.</numerusform>
-            <numerusform>Alle %n probierten Stellen halten.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 (%2)</source>
         <extracomment>%1 is what is wrong, such as &quot;Falls over&quot;, %2 in how many places it is</extracomment>
         <translation>%1 (%2)</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n place(s) do not hold: %2.</source>
-        <extracomment>%1 is a number, %2 a list such as &quot;Falls over (5), Breaks (2)&quot;</extracomment>
-        <translation>
-            <numerusform>%1 von %n Stelle hält nicht: %2.</numerusform>
-            <numerusform>%1 von %n Stellen halten nicht: %2.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Of %1 corners %2 were tried.</source>
@@ -14574,6 +14559,21 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Says where in the ranges of the shown values the model cannot be assembled, breaks, falls over or does not fit.</source>
         <translation>Sagt, wo in den Bereichen der gezeigten Werte das Modell nicht zusammenzubauen ist, bricht, umfällt oder nicht passt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n variant(s) that were tried are good.</source>
+        <translation>
+            <numerusform>Die eine probierte Variante ist gut.</numerusform>
+            <numerusform>Alle %n probierten Varianten sind gut.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n variant(s) fail: %2.</source>
+        <extracomment>%1 is a number, %2 a list such as &quot;Falls over (5), Breaks (2)&quot;</extracomment>
+        <translation>
+            <numerusform>%1 von %n Variante taugt nicht: %2.</numerusform>
+            <numerusform>%1 von %n Varianten taugen nicht: %2.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1027,25 +1027,25 @@
 <context>
     <name>fff::ui::ValueTrialRows</name>
     <message numerus="yes">
-        <source>All %n place(s) that were tried hold.</source>
-        <translation>
-            <numerusform>The one place that was tried holds.</numerusform>
-            <numerusform>All %n places that were tried hold.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n place(s) do not hold: %2.</source>
-        <extracomment>%1 is a number, %2 a list such as &quot;Falls over (5), Breaks (2)&quot;</extracomment>
-        <translation>
-            <numerusform>%1 of %n place does not hold: %2.</numerusform>
-            <numerusform>%1 of %n places do not hold: %2.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>and %n other(s)</source>
         <translation>
             <numerusform>and %n other</numerusform>
             <numerusform>and %n others</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n variant(s) that were tried are good.</source>
+        <translation>
+            <numerusform>The one variant that was tried is good.</numerusform>
+            <numerusform>All %n variants that were tried are good.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n variant(s) fail: %2.</source>
+        <extracomment>%1 is a number, %2 a list such as &quot;Falls over (5), Breaks (2)&quot;</extracomment>
+        <translation>
+            <numerusform>%1 of %n variant fails: %2.</numerusform>
+            <numerusform>%1 of %n variants fail: %2.</numerusform>
         </translation>
     </message>
 </context>

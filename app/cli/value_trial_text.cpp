@@ -69,13 +69,13 @@ QStringList trialsText(const ValueTrials &trials)
 {
     if (trials.values.empty())
         return {tr("No value that is shown to others has a range and is used.")};
-    QStringList lines{tr("Tried: %1 of %2 corners of the ranges, %3 places between them.")
+    QStringList lines{tr("Tried: %1 of %2 corners of the ranges, %3 variants between them.")
                           .arg(trials.corners)
                           .arg(trials.allCorners, 0, 'f', 0)
                           .arg(trials.places.size() - trials.corners)};
     const std::size_t failing = trials.failing();
-    lines += failing == 0 ? tr("All of them hold.")
-                          : tr("%1 of %2 do not hold:").arg(failing).arg(trials.places.size());
+    lines += failing == 0 ? tr("All of them are good.")
+                          : tr("%1 of %2 fail:").arg(failing).arg(trials.places.size());
     for (const auto &[title, times] : trials.faults())
         lines += QStringLiteral("  %1: %2").arg(messageText(title)).arg(times);
     if (failing > 0)

@@ -122,14 +122,14 @@ QString ValueTrialRows::verdict() const
     const ValueTrials &trials = *m_job.result();
     const int count = static_cast<int>(trials.places.size());
     const auto failing = static_cast<int>(trials.failing());
-    QString said = tr("All %n place(s) that were tried hold.", nullptr, count);
+    QString said = tr("All %n variant(s) that were tried are good.", nullptr, count);
     if (failing > 0) {
         QStringList faults;
         for (const auto &[title, times] : trials.faults())
             //: %1 is what is wrong, such as "Falls over", %2 in how many places it is
             faults += tr("%1 (%2)").arg(messageText(title, unitsInUse())).arg(times);
         //: %1 is a number, %2 a list such as "Falls over (5), Breaks (2)"
-        said = tr("%1 of %n place(s) do not hold: %2.", nullptr, count)
+        said = tr("%1 of %n variant(s) fail: %2.", nullptr, count)
                    .arg(failing)
                    .arg(faults.join(QStringLiteral(", ")));
     }

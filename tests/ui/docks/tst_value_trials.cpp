@@ -103,7 +103,7 @@ void TestValueTrialRows::placesAreGoneToAndComeBack()
 {
     open(board(3000.0));
     tryAll();
-    QVERIFY2(said().contains(QStringLiteral("do not hold")), qPrintable(said()));
+    QVERIFY2(said().contains(QStringLiteral(" fail: ")), qPrintable(said()));
     QVERIFY(!places().isEmpty());
     const QString text = places().constFirst()->texts().constFirst();
     QVERIFY2(text.startsWith(QStringLiteral("width ")), qPrintable(text));
