@@ -53,7 +53,7 @@ public:
     Vec3 pointOf(const Roll &edge) const;
     /// About which it rolls on, if it does.
     std::optional<Roll> next() const;
-    /// Until another point touches, radians; infinite: none will.
+    /// Until another point touches, radians; a right angle: none will.
     double angleOf(const Roll &roll) const;
     void roll(const Roll &roll, double angle);
 
@@ -107,13 +107,15 @@ std::optional<Roll> Rolling::next() const
 
 double Rolling::angleOf(const Roll &roll) const
 {
-    double least = std::numeric_limits<double>::infinity();
+    const Vec3 way = roll.way.x() * m_x + roll.way.y() * m_z;
+    const double from = roll.way.dot(roll.from);
+    double least = std::numeric_limits<double>::infinity(); // slope
     for (const Vec3 &p : *m_points) {
-        const double out = roll.way.dot(along(p) - roll.from), above = m_ground.above(p);
-        if (out > kClipGrid && above > kGroundContact)
-            least = std::min(least, std::atan2(above, out));
+        const double above = m_ground.above(p), out = way.dot(p) - from;
+        if (out > kClipGrid && above > kGroundContact && above < least * out)
+            least = above / out;
     }
-    return least;
+    return std::atan(least);
 }
 
 void Rolling::roll(const Roll &roll, double angle)
@@ -146,6 +148,43 @@ Vec3 Rolling::pointOf(const Roll &edge) const
 {
     const Vec2 at = along(m_centre) + marginTo(edge) * edge.way;
     return at.x() * m_x + at.y() * m_z + m_ground.height * m_ground.up;
+}
+
+/// Of the points those that can come to touch: the corners of what touches as it was drawn, and
+/// what reaches beyond these so low that a ground which leans by twice kFarthestLean comes to it
+/// first.
+std::vector<Vec3> undermost(const std::vector<Vec3> &points)
+{
+    const auto lower = [](const Vec3 &a, const Vec3 &b) { return a.y() < b.y(); };
+    const double level =
+        std::min_element(points.begin(), points.end(), lower)->y() + kGroundContact;
+    const auto across = [](const Vec3 &p) { return Vec2(p.x(), p.z()); };
+    std::vector<Vec2> low;
+    for (const Vec3 &p : points)
+        if (p.y() <= level)
+            low.push_back(across(p));
+    const Polygon feet = convexHull(low);
+    const double slope = std::tan(2.0 * kFarthestLean);
+    std::vector<Vec3> kept;
+    for (const Vec3 &p : points) {
+        const bool canTouch =
+            p.y() <= level ? std::find(feet.begin(), feet.end(), across(p)) != feet.end()
+                           : p.y() - level < -slope * signedDistance(feet, across(p), nullptr);
+        if (canTouch)
+            kept.push_back(p);
+    }
+    // Nor does what lies within such a slope above another one.
+    std::sort(kept.begin(), kept.end(), lower);
+    std::vector<Vec3> able;
+    for (const Vec3 &p : kept) {
+        const bool isAbove = std::any_of(able.begin(), able.end(), [&](const Vec3 &q) {
+            const double up = p.y() - q.y();
+            return up * up > slope * slope * (across(p) - across(q)).squaredNorm();
+        });
+        if (!isAbove)
+            able.push_back(p);
+    }
+    return able;
 }
 
 double angleBetween(const Ground &a, const Ground &b)
@@ -264,14 +303,15 @@ std::optional<Rest> settle(const std::vector<Vec3> &points, const Vec3 &centreOf
 {
     if (points.empty())
         return std::nullopt;
-    Rolling rolling(points, centreOfMass);
+    const std::vector<Vec3> able = undermost(points);
+    Rolling rolling(able, centreOfMass);
     for (int step = 0; step < kMostSteps; ++step) {
         const std::optional<Roll> roll = rolling.next();
         if (!roll) {
             Rest rest;
             rest.ground = rolling.ground();
             rest.lean = rolling.lean();
-            Pushing(rolling).tell(points, rest);
+            Pushing(rolling).tell(able, rest);
             return rest;
         }
         const double angle = rolling.angleOf(*roll);
