@@ -174,7 +174,7 @@ void ValueEditor::makeLine()
     layout()->addWidget(m_line);
     setFocusProxy(m_line);
     new NameCompletion(m_line, NameCompletion::Where::BehindEquals,
-                                     [this] { return valueNames(m_bench); });
+                       [this] { return valueNames(m_bench); });
     connect(m_line, &QLineEdit::editingFinished, this, &ValueEditor::takeLine);
 }
 
