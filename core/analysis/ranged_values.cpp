@@ -89,7 +89,7 @@ std::vector<double> endsOf(const RangedValue &value)
 double drawn(std::uint64_t seed, const char *what, std::size_t place, const RangedValue &value)
 {
     Seeded numbers(seed, what + std::to_string(place) + '/' + value.name);
-    return std::min(0.5 * (numbers.symmetric() + 1.0), 1.0 - 1e-12);
+    return std::min(0.5 * (numbers.symmetric() + 1.0), std::nextafter(1.0, 0.0));
 }
 
 /// The corner of this number, counted as digits are, the last value the fastest.
