@@ -58,24 +58,11 @@ std::vector<Vec3> lowPoints(const Bodies &bodies, const Group &group, double low
 {
     const double reach = lowest + kGroundContact + size * std::tan(2.0 * kFarthestLean);
     std::vector<Vec3> points;
-    for (const int index : group) {
-        const Body &body = bodies.at(index);
-        if (body.box().min.y() > reach)
-            continue;
-        const Frame &frame = body.frame();
-        const Vec3 half = 0.5 * body.thickness() * frame.normal();
-        const Vec2 up(frame.x.y(), frame.y.y());
-        std::vector<Vec2> low;
-        for (const Vec2 &corner : body.outline().region.outer)
-            if (frame.origin.y() + up.dot(corner) - std::abs(half.y()) <= reach)
-                low.push_back(corner);
-        for (const Vec2 &corner : convexHull(low)) {
-            const Vec3 middle = frame.toWorld(corner);
-            for (const Vec3 &point : {Vec3(middle - half), Vec3(middle + half)})
+    for (const int index : group)
+        if (const Body &body = bodies.at(index); body.box().min.y() <= reach)
+            for (const Vec3 &point : body.undermost())
                 if (point.y() <= reach)
                     points.push_back(point);
-        }
-    }
     return points;
 }
 

@@ -1,5 +1,6 @@
 #include "core/assembly/body.h"
 
+#include "core/assembly/settling.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/cells.h"
 
@@ -118,6 +119,12 @@ const GroundContact &Body::contact() const
 {
     m_contactOnce.run([this] { m_contact = contactOf(slab()); });
     return m_contact;
+}
+
+const std::vector<Vec3> &Body::undermost() const
+{
+    m_undermostOnce.run([this] { m_undermost = fff::undermost(slab()); });
+    return m_undermost;
 }
 
 const Result<SolidPointer> &Body::solid() const

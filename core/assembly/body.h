@@ -52,6 +52,8 @@ public:
     /// Exact area × thickness × density. Weights that hang on it are not in it.
     const MassProperties &mass() const;
     const GroundContact &contact() const;
+    /// What of it can come to touch the ground (settling.h).
+    const std::vector<Vec3> &undermost() const;
     /// Errors  NotCutOut, NotSolid; the names of sections are for those who know them.
     const Result<SolidPointer> &solid() const;
 
@@ -65,10 +67,11 @@ private:
     std::size_t m_piece;
     Frame m_frame;
     double m_thickness, m_density;
-    mutable Once m_boxOnce, m_massOnce, m_contactOnce, m_solidOnce;
+    mutable Once m_boxOnce, m_massOnce, m_contactOnce, m_undermostOnce, m_solidOnce;
     mutable Box3 m_box;
     mutable MassProperties m_mass;
     mutable GroundContact m_contact;
+    mutable std::vector<Vec3> m_undermost;
     mutable Result<SolidPointer> m_solid;
 };
 

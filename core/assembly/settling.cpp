@@ -3,14 +3,9 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/convex_hull.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 namespace fff {
 
@@ -38,19 +33,6 @@ public:
 
     const Ground &ground() const { return m_ground; }
     double lean() const { return std::acos(std::clamp(m_ground.up.y(), -1.0, 1.0)); }
-    /// What touches, indices into the points.
-    const std::vector<int> &touching() const { return m_touching; }
-    /// Over which it can be pushed.
-    std::vector<Roll> edges() const;
-    /// mm from the centre of mass to the line, radians by which it has to be tilted until the
-    /// centre is over it; less than 0: it is beyond.
-    double marginTo(const Roll &edge) const { return edge.way.dot(edge.from - along(m_centre)); }
-    double tiltOver(const Roll &edge) const
-    {
-        return std::atan2(marginTo(edge), std::max(0.0, m_ground.above(m_centre)));
-    }
-    /// Of the line, nearest to the centre of mass; in the world.
-    Vec3 pointOf(const Roll &edge) const;
     /// About which it rolls on, if it does.
     std::optional<Roll> next() const;
     /// Until another point touches, radians; a right angle: none will.
@@ -74,21 +56,17 @@ private:
     Vec3 m_centre;
     Ground m_ground;
     Vec3 m_x = Vec3::UnitX(), m_z = Vec3::UnitZ();
-    std::vector<int> m_touching;
-    Polygon m_feet; // their hull
+    Polygon m_feet; // of what touches the hull
 };
 
 void Rolling::look()
 {
     m_x = m_ground.acrossX();
     m_z = m_ground.acrossZ();
-    m_touching.clear();
     std::vector<Vec2> feet;
-    for (std::size_t i = 0; i < m_points->size(); ++i)
-        if (touches((*m_points)[i])) {
-            m_touching.push_back(static_cast<int>(i));
-            feet.push_back(along((*m_points)[i]));
-        }
+    for (const Vec3 &p : *m_points)
+        if (touches(p))
+            feet.push_back(along(p));
     m_feet = convexHull(feet);
 }
 
@@ -127,176 +105,79 @@ void Rolling::roll(const Roll &roll, double angle)
     look();
 }
 
-std::vector<Roll> Rolling::edges() const
+/// Leaned on by what leans by twice kFarthestLean.
+const double kSlope = std::tan(2.0 * kFarthestLean);
+
+Vec2 across(const Vec3 &p)
 {
-    std::vector<Roll> edges;
-    if (m_feet.size() < 2)
-        return edges;
-    for (std::size_t i = 0, j = m_feet.size() - 1; i < m_feet.size(); j = i++)
-        if (m_feet[i] != m_feet[j])
-            // Its hull runs counter-clockwise as (x, z) has it: outside is to the right.
-            edges.push_back({m_feet[j], -perpendicular((m_feet[i] - m_feet[j]).normalized())});
-    if (m_feet.size() == 2 && edges.size() == 2) { // a line has two ends, too
-        const Vec2 way = (m_feet[1] - m_feet[0]).normalized();
-        edges.push_back({m_feet[0], -way});
-        edges.push_back({m_feet[1], way});
-    }
-    return edges;
+    return {p.x(), p.z()};
 }
 
-Vec3 Rolling::pointOf(const Roll &edge) const
+bool isLower(const Vec3 &a, const Vec3 &b)
 {
-    const Vec2 at = along(m_centre) + marginTo(edge) * edge.way;
-    return at.x() * m_x + at.y() * m_z + m_ground.height * m_ground.up;
+    return a.y() < b.y();
 }
 
-/// Of the points those that can come to touch: the corners of what touches as it was drawn, and
-/// what reaches beyond these so low that a ground which leans by twice kFarthestLean comes to it
-/// first.
-std::vector<Vec3> undermost(const std::vector<Vec3> &points)
+/// Whether something lies so far above something else (mm) that no ground which leans by kSlope
+/// comes to it first.
+bool isOutOfReach(double up, double squaredAcross)
 {
-    const auto lower = [](const Vec3 &a, const Vec3 &b) { return a.y() < b.y(); };
-    const double level =
-        std::min_element(points.begin(), points.end(), lower)->y() + kGroundContact;
-    const auto across = [](const Vec3 &p) { return Vec2(p.x(), p.z()); };
-    std::vector<Vec2> low;
-    for (const Vec3 &p : points)
-        if (p.y() <= level)
-            low.push_back(across(p));
-    const Polygon feet = convexHull(low);
-    const double slope = std::tan(2.0 * kFarthestLean);
-    std::vector<Vec3> kept;
-    for (const Vec3 &p : points) {
-        const bool canTouch =
-            p.y() <= level ? std::find(feet.begin(), feet.end(), across(p)) != feet.end()
-                           : p.y() - level < -slope * signedDistance(feet, across(p), nullptr);
-        if (canTouch)
-            kept.push_back(p);
-    }
-    // Nor does what lies within such a slope above another one.
-    std::sort(kept.begin(), kept.end(), lower);
+    return up > 0.0 && up * up > kSlope * kSlope * squaredAcross;
+}
+
+std::vector<Vec3> withinReach(std::vector<Vec3> points)
+{
+    std::sort(points.begin(), points.end(), isLower);
     std::vector<Vec3> able;
-    for (const Vec3 &p : kept) {
-        const bool isAbove = std::any_of(able.begin(), able.end(), [&](const Vec3 &q) {
-            const double up = p.y() - q.y();
-            return up * up > slope * slope * (across(p) - across(q)).squaredNorm();
-        });
-        if (!isAbove)
+    for (const Vec3 &p : points) {
+        const auto isBelow = [&](const Vec3 &q) {
+            return isOutOfReach(p.y() - q.y(), (across(p) - across(q)).squaredNorm());
+        };
+        if (std::none_of(able.begin(), able.end(), isBelow))
             able.push_back(p);
     }
     return able;
 }
 
-double angleBetween(const Ground &a, const Ground &b)
+/// Of the points those that can come to touch: the corners of what touches as it was drawn, and
+/// what reaches beyond these so low that a leaning ground comes to it first.
+std::vector<Vec3> undermost(const std::vector<Vec3> &points)
 {
-    return std::acos(std::clamp(a.up.dot(b.up), -1.0, 1.0));
-}
-
-/// An edge that keeps it from falling.
-struct Hold
-{
-    double tilt = -std::numeric_limits<double>::infinity(); // radians, less than which it keeps
-    double margin = 0.0;                                    // mm
-    Vec3 at = Vec3::Zero();
-};
-
-/// All that it may come to lie on when it is pushed, and over which edge it falls.
-class Pushing
-{
-public:
-    explicit Pushing(const Rolling &rest)
-    {
-        m_known.push_back({rest, Hold()});
-        m_next.emplace(m_known.front().held.tilt, 0);
-        while (!m_next.empty() && (!m_last || m_next.top().first < m_last->tilt)) {
-            const std::size_t index = m_next.top().second;
-            m_next.pop();
-            if (std::exchange(m_known[index].isDone, true))
-                continue;
-            const Known from = m_known[index]; // the list may move
-            for (const Roll &edge : from.at.edges()) {
-                const double tilt = from.at.tiltOver(edge);
-                push(from.at, edge,
-                     tilt > from.held.tilt
-                         ? Hold{tilt, from.at.marginTo(edge), from.at.pointOf(edge)}
-                         : from.held);
-            }
-        }
+    const double level =
+        std::min_element(points.begin(), points.end(), isLower)->y() + kGroundContact;
+    std::vector<Vec2> low;
+    for (const Vec3 &p : points)
+        if (p.y() <= level)
+            low.push_back(across(p));
+    const Polygon feet = convexHull(low);
+    std::vector<Vec3> kept;
+    for (const Vec3 &p : points) {
+        const bool canTouch =
+            p.y() <= level ? std::find(feet.begin(), feet.end(), across(p)) != feet.end()
+                           : p.y() - level < -kSlope * signedDistance(feet, across(p), nullptr);
+        if (canTouch)
+            kept.push_back(p);
     }
-
-    void tell(const std::vector<Vec3> &points, Rest &rest) const
-    {
-        const Hold last = m_last.value_or(Hold{0.0, 0.0, points.front()}); // on one point
-        rest.tipAngle = last.tilt;
-        rest.margin = last.margin;
-        rest.edge = last.at;
-        std::vector<char> touches(points.size(), 0);
-        for (const Known &known : m_known) {
-            if (!known.isDone)
-                continue;
-            for (const int i : known.at.touching())
-                touches[static_cast<std::size_t>(i)] = 1;
-            const double angle = angleBetween(known.at.ground(), rest.ground);
-            if (known.held.tilt < kSteadyTilt)
-                rest.rocking = std::max(rest.rocking, angle);
-        }
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (touches[i])
-                rest.contacts.push_back(points[i]);
-    }
-
-private:
-    struct Known
-    {
-        Rolling at;
-        Hold held; // of the edges on the way here the one that takes most tilting
-        bool isDone = false;
-    };
-
-    void push(const Rolling &from, const Roll &edge, const Hold &held);
-
-    std::vector<Known> m_known;
-    using Reached = std::pair<double, std::size_t>; // tilt, index of a known one
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> m_next;
-    std::optional<Hold> m_last; // when that gives way it falls
-};
-
-void Pushing::push(const Rolling &from, const Roll &edge, const Hold &held)
-{
-    if (m_last && held.tilt >= m_last->tilt)
-        return;
-    const double angle = from.angleOf(edge);
-    Rolling then = from;
-    if (angle <= 2.0 * kFarthestLean)
-        then.roll(edge, angle);
-    const double turned = angleBetween(then.ground(), m_known.front().at.ground());
-    if (angle > 2.0 * kFarthestLean || turned > kFarthestLean || m_known.size() >= kMostRests) {
-        m_last = held;
-        return;
-    }
-    const auto known = std::find_if(m_known.begin(), m_known.end(), [&](const Known &one) {
-        return one.at.touching() == then.touching();
-    });
-    const auto index = static_cast<std::size_t>(known - m_known.begin());
-    if (known == m_known.end())
-        m_known.push_back({std::move(then), held});
-    else if (held.tilt < known->held.tilt)
-        known->held = held;
-    else
-        return;
-    m_next.emplace(held.tilt, index);
+    return withinReach(std::move(kept));
 }
 
 } // namespace
 
-Vec3 Ground::acrossX() const
+std::vector<Vec3> undermost(const Slab &slab)
 {
-    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), up) * Vec3::UnitX();
-}
-
-Vec3 Ground::acrossZ() const
-{
-    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), up) * Vec3::UnitZ();
+    Vec3 toLower = 0.5 * slab.thickness * slab.frame.normal();
+    if (toLower.y() > 0.0)
+        toLower = -toLower;
+    // Of an upright one both faces come to the ground.
+    const bool hasTwo = !isOutOfReach(-2.0 * toLower.y(), (2.0 * across(toLower)).squaredNorm());
+    std::vector<Vec3> points;
+    for (const Vec2 &corner : convexHull(slab.region.outer)) {
+        const Vec3 middle = slab.frame.toWorld(corner);
+        points.push_back(middle + toLower);
+        if (hasTwo)
+            points.push_back(middle - toLower);
+    }
+    return withinReach(std::move(points));
 }
 
 std::optional<Rest> settle(const std::vector<Vec3> &points, const Vec3 &centreOfMass)
@@ -308,10 +189,8 @@ std::optional<Rest> settle(const std::vector<Vec3> &points, const Vec3 &centreOf
     for (int step = 0; step < kMostSteps; ++step) {
         const std::optional<Roll> roll = rolling.next();
         if (!roll) {
-            Rest rest;
-            rest.ground = rolling.ground();
-            rest.lean = rolling.lean();
-            Pushing(rolling).tell(able, rest);
+            Rest rest{topplingOf(able, centreOfMass, rolling.ground()), rolling.ground(),
+                      rolling.lean()};
             return rest;
         }
         const double angle = rolling.angleOf(*roll);

@@ -18,6 +18,7 @@ target_sources(fff_core PRIVATE
     assembly/found_joint.cpp
     assembly/slice_wish.cpp
     assembly/grips.cpp
+    assembly/ground.cpp
     assembly/intervals.cpp
     assembly/joint.cpp
     assembly/joint_editing.cpp
@@ -43,6 +44,7 @@ target_sources(fff_core PRIVATE
     assembly/stability.cpp
     assembly/step_groups.cpp
     assembly/tabs.cpp
+    assembly/toppling.cpp
     assembly/trim.cpp
     assembly/webs.cpp
 )

@@ -2,7 +2,7 @@
 // the ground, and where its centre of mass lies over that.
 #pragma once
 
-#include "core/assembly/settling.h"
+#include "core/assembly/ground.h"
 #include "core/assembly/slab.h"
 
 #include <span>

@@ -22,6 +22,7 @@ target_sources(fff_core PRIVATE
     geometry/fit_span.cpp
     geometry/frame.cpp
     geometry/halfplane_clip.cpp
+    geometry/hull_faces.cpp
     geometry/line_clip.cpp
     geometry/line_corners.cpp
     geometry/line_runs.cpp

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void whatHangsBesideCatchesIt();
     void whatRollsTooFarFalls();
     void itTipsOverTheLastFaceOfItsHull();
+    void roundFeetCountAsTheyAre();
     void itRestsAsItsEnergySays();
     void nothingIsBelowTheGround();
     void nothingRestsNowhere();
@@ -169,6 +170,36 @@ void TestSettling::itTipsOverTheLastFaceOfItsHull()
     }
     QVERIFY2(stood > 100 && rocked > 20,
              qPrintable(QStringLiteral("%1 %2").arg(stood).arg(rocked)));
+}
+
+// Wrong: "tips past 16°" of a dinosaur that tips past 24°, as its toes have more faces than were
+// looked at.
+void TestSettling::roundFeetCountAsTheyAre()
+{
+    const auto feet = [](int each) {
+        std::vector<Vec3> points;
+        for (const Vec2 &foot : {Vec2(-50, -30), Vec2(50, -30), Vec2(0, 50)})
+            for (int i = 0; i <= each; ++i)
+                for (const double side : {-1.5, 1.5}) {
+                    const double angle = radians(-30.0 + 60.0 * i / each);
+                    points.emplace_back(foot.x() + 8.0 * std::sin(angle),
+                                        8.0 - 8.0 * std::cos(angle), foot.y() + side);
+                }
+        return points;
+    };
+    double coarse = 0.0;
+    for (const int each : {16, 64, 256}) {
+        const auto rest = settle(feet(each), {3, 60, -2});
+        QVERIFY(rest);
+        QVERIFY(degrees(rest->tipAngle) > 15.0);
+        if (each == 16)
+            coarse = rest->tipAngle;
+        QVERIFY2(std::abs(rest->tipAngle - coarse) < radians(0.5),
+                 qPrintable(QStringLiteral("%1: %2, not %3")
+                                .arg(each)
+                                .arg(degrees(rest->tipAngle))
+                                .arg(degrees(coarse))));
+    }
 }
 
 void TestSettling::nothingIsBelowTheGround()

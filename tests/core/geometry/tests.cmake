@@ -10,6 +10,7 @@ fff_tests(tests_geometry LIBRARIES fff::core CGAL::CGAL TESTS
     core/geometry/tst_contour_blend
     core/geometry/tst_contour_points
     core/geometry/tst_convex_hull
+    core/geometry/tst_hull_faces
     core/geometry/tst_figure
     core/geometry/tst_fit
     core/geometry/tst_geometry_faults
