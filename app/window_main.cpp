@@ -60,7 +60,7 @@ void describe(QCommandLineParser &parser)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate("main", "The models to open, each in a window."),
+        QCoreApplication::translate("main", "Models to open, each in a window; drawings, meshes and pictures to add to a new one."),
         QStringLiteral("[FILE…]"));
     parser.addOption({kCopy, QCoreApplication::translate(
                                  "main", "Opens FILE as a copy: saving asks for a name.")});
@@ -140,7 +140,7 @@ int main(int argc, char *argv[])
     fff::ui::MainWindow *window = fff::ui::openWindow();
     const QStringList files = parser.positionalArguments();
     if (!files.isEmpty())
-        fff::ui::openFiles(*window, files, parser.isSet(kCopy));
+        window->take(files, parser.isSet(kCopy));
     else if (fff::ui::settings().showsStartPage())
         window->showStartPage();
     window->offerRecovered();

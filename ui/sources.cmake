@@ -117,6 +117,7 @@ target_sources(fff_ui PRIVATE
     files/file_drop.cpp
     files/file_stamp.cpp
     files/format_filters.cpp
+    files/given_files.cpp
     files/new_model.cpp
     files/progress.cpp
     files/recent_menu.cpp

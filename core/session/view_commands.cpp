@@ -209,7 +209,12 @@ void registerLooks(CommandRegistry &registry, Session &session, Interaction &int
     addSwitch(
         registry, "check.stress", interaction,
         [](const ViewState &view) { return view.showsStress; },
-        [](ViewState &view, bool on) { view.showsStress = on; });
+        [](ViewState &view, bool on) { view.showsStress = on; },
+        needs(
+            [&session, &interaction] {
+                return interaction.view().showsStress || session.committed().sectionCount() > 0;
+            },
+            kNothingThere));
     addSwitch(
         registry, "view.isolate", interaction,
         [](const ViewState &view) { return !view.isolated.empty(); },

@@ -291,6 +291,7 @@ void PhysicsDock::refresh()
     const bool isEmpty = m_bench.session().model().sectionCount() == 0;
     m_held = isEmpty ? nullptr : heldNow(m_bench.session().scheduler());
     m_lines->setChecked(m_bench.interaction().view().showsStress);
+    m_lines->setEnabled(!m_bench.commands().whyNot("check.stress"));
     refreshBending();
     m_movement->refresh();
     refreshStrong();

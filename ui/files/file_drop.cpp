@@ -1,8 +1,5 @@
 #include "ui/files/file_drop.h"
 
-#include "core/io/formats.h"
-#include "ui/files/mesh_import.h"
-
 #include <QDropEvent>
 #include <QMimeData>
 #include <QTimer>
@@ -46,24 +43,9 @@ bool FileDrop::eventFilter(QObject *watched, QEvent *event)
     drop->accept();
     if (event->type() == QEvent::Drop) {
         // Later: the other program waits until the drop is over.
-        QTimer::singleShot(0, this, [this, paths] { tell(paths); });
+        QTimer::singleShot(0, this, [this, paths] { Q_EMIT dropped(paths); });
     }
     return true;
-}
-
-void FileDrop::tell(const QStringList &paths)
-{
-    QStringList models;
-    for (const QString &path : paths) {
-        if (io::formatRead(path, &io::Format::readsDrawings))
-            Q_EMIT drawingDropped(path);
-        else if (isMeshFile(path))
-            Q_EMIT meshDropped(path);
-        else
-            models += path;
-    }
-    if (!models.isEmpty())
-        Q_EMIT dropped(models);
 }
 
 } // namespace fff::ui

@@ -17,15 +17,9 @@ public:
 
 Q_SIGNALS:
     void dropped(const QStringList &paths);
-    /// A drawing of another program (.svg and the like).
-    void drawingDropped(const QString &path);
-    void meshDropped(const QString &path);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
-
-private:
-    void tell(const QStringList &paths);
 };
 
 } // namespace fff::ui

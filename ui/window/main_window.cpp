@@ -125,15 +125,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
             });
     connect(m_files, &DocumentFiles::exported, m_actions, &ActionSet::refresh);
     auto *drop = new FileDrop(*this);
-    connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
-    connect(drop, &FileDrop::meshDropped, this, [this](const QString &path) {
-        if (!isOnlyAdjusted())
-            readMesh(path);
-    });
-    connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {
-        if (!isOnlyAdjusted())
-            readDrawing(QStringLiteral("section.importSections"), path);
-    });
+    connect(drop, &FileDrop::dropped, this, [this](const QStringList &paths) { take(paths); });
     connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
     connect(m_files, &DocumentFiles::pathChanged, m_actions, &ActionSet::refresh);
     connect(&m_bench->session(), &Session::cleanChanged, m_actions, &ActionSet::refresh);

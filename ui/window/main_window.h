@@ -67,6 +67,9 @@ public:
     /// Closes without the question about unsaved changes, which was asked already.
     void closeUnasked();
 
+    /// Opens models, and adds what other files hold to the model of this window.
+    void take(const QStringList &paths, bool asCopy = false);
+
     /// Every panel where it is at first, for the window's present width.
     void resetLayout();
 

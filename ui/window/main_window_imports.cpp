@@ -5,10 +5,12 @@
 #include "ui/docks/templates_dock.h"
 #include "ui/files/clipboard_picture.h"
 #include "ui/files/document_files.h"
+#include "ui/files/given_files.h"
 #include "ui/files/mesh_import.h"
 #include "ui/files/template_maker.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_layout.h"
+#include "ui/window/windows.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -16,6 +18,18 @@
 #include <optional>
 
 namespace fff::ui {
+
+void MainWindow::take(const QStringList &paths, bool asCopy)
+{
+    const GivenFiles given = givenFiles(paths);
+    ui::openFiles(*this, given.models, asCopy);
+    if (isOnlyAdjusted())
+        return;
+    for (const QString &path : given.drawings)
+        readDrawing(QStringLiteral("section.importSections"), path);
+    for (const QString &path : given.meshes)
+        readMesh(path);
+}
 
 /// Asks which one.
 void MainWindow::importDrawing(const QString &command)

@@ -7,6 +7,7 @@
 #include "ui/files/failures.h"
 #include "ui/files/file_drop.h"
 #include "ui/files/format_filters.h"
+#include "ui/files/given_files.h"
 
 #include <QApplication>
 #include <QDir>
@@ -183,28 +184,30 @@ void TestFormatFilters::whatIsDropped()
 {
     QWidget window;
     ui::FileDrop drop(window);
-    QSignalSpy models(&drop, &ui::FileDrop::dropped),
-        drawings(&drop, &ui::FileDrop::drawingDropped);
+    QSignalSpy dropped(&drop, &ui::FileDrop::dropped);
+    const QStringList paths{QStringLiteral("/a/one.SVG"), QStringLiteral("/a/two.fff"),
+                            QStringLiteral("/a/three.knots"), QStringLiteral("/a/four.Stl"),
+                            QStringLiteral("/a/five")};
+    QList<QUrl> urls;
+    for (const QString &path : paths)
+        urls += QUrl::fromLocalFile(path);
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/a/one.SVG")),
-                  QUrl::fromLocalFile(QStringLiteral("/a/two.fff")),
-                  QUrl::fromLocalFile(QStringLiteral("/a/three.knots"))});
-    const auto let = [&] {
-        QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&window, &enter);
-        QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(&window, &event);
-    };
-    let();
-    QTRY_COMPARE(models.size(), 1);
-    QCOMPARE(models.front().front().toStringList().join(u'|'),
-             QStringLiteral("/a/two.fff|/a/three.knots"));
-    QCOMPARE(drawings.size(), 1);
+    data.setUrls(urls);
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    QTRY_COMPARE(dropped.size(), 1);
+    QCOMPARE(dropped.front().front().toStringList(), paths);
+
+    ui::GivenFiles given = ui::givenFiles(paths);
+    QCOMPARE(given.models.join(u'|'), QStringLiteral("/a/two.fff|/a/three.knots|/a/five"));
+    QCOMPARE(given.drawings.join(u'|'), QStringLiteral("/a/one.SVG"));
+    QCOMPARE(given.meshes.join(u'|'), QStringLiteral("/a/four.Stl"));
     const io::AddedFormat added(test::addedFormat());
-    let();
-    QTRY_COMPARE(models.size(), 2);
-    QCOMPARE(models.back().front().toStringList().join(u'|'), QStringLiteral("/a/two.fff"));
-    QCOMPARE(drawings.size(), 3);
+    given = ui::givenFiles(paths);
+    QCOMPARE(given.models.join(u'|'), QStringLiteral("/a/two.fff|/a/five"));
+    QCOMPARE(given.drawings.size(), 2);
 }
 
 FFF_TEST_WITH(TestFormatFilters, fff::testing::runWithin<TestFormatFilters, QApplication>)
