@@ -125,15 +125,13 @@ Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProper
                       const GroundContact &contact)
 {
     const GroupExtent extent(bodies, group);
-    Stability drawn = drawnStability(extent, mass.centre, contact);
+    const Stability drawn = drawnStability(extent, mass.centre, contact);
     if (contact.stretches == 0)
         return drawn;
     const auto rest = settle(lowPoints(bodies, group, contact.lowest, extent.size), mass.centre);
     if (!rest)
         return drawn;
-    Stability leaning = onRest(*rest, contact, mass.centre, extent.thinnest, extent.size);
-    const bool isBetter = drawn.standing != Standing::Stands || leaning.tipAngle > drawn.tipAngle;
-    return isBetter ? leaning : drawn;
+    return onRest(*rest, contact, mass.centre, extent.thinnest, extent.size);
 }
 
 } // namespace

@@ -125,6 +125,7 @@ bool isOutOfReach(double up, double squaredAcross)
     return up > 0.0 && up * up > kSlope * kSlope * squaredAcross;
 }
 
+/// Of the points those that can come to touch.
 std::vector<Vec3> withinReach(std::vector<Vec3> points)
 {
     std::sort(points.begin(), points.end(), isLower);
@@ -137,28 +138,6 @@ std::vector<Vec3> withinReach(std::vector<Vec3> points)
             able.push_back(p);
     }
     return able;
-}
-
-/// Of the points those that can come to touch: the corners of what touches as it was drawn, and
-/// what reaches beyond these so low that a leaning ground comes to it first.
-std::vector<Vec3> undermost(const std::vector<Vec3> &points)
-{
-    const double level =
-        std::min_element(points.begin(), points.end(), isLower)->y() + kGroundContact;
-    std::vector<Vec2> low;
-    for (const Vec3 &p : points)
-        if (p.y() <= level)
-            low.push_back(across(p));
-    const Polygon feet = convexHull(low);
-    std::vector<Vec3> kept;
-    for (const Vec3 &p : points) {
-        const bool canTouch =
-            p.y() <= level ? std::find(feet.begin(), feet.end(), across(p)) != feet.end()
-                           : p.y() - level < -kSlope * signedDistance(feet, across(p), nullptr);
-        if (canTouch)
-            kept.push_back(p);
-    }
-    return withinReach(std::move(kept));
 }
 
 } // namespace
@@ -184,13 +163,13 @@ std::optional<Rest> settle(const std::vector<Vec3> &points, const Vec3 &centreOf
 {
     if (points.empty())
         return std::nullopt;
-    const std::vector<Vec3> able = undermost(points);
+    const std::vector<Vec3> able = withinReach(points);
     Rolling rolling(able, centreOfMass);
     for (int step = 0; step < kMostSteps; ++step) {
         const std::optional<Roll> roll = rolling.next();
         if (!roll) {
-            Rest rest{topplingOf(able, centreOfMass, rolling.ground()), rolling.ground(),
-                      rolling.lean()};
+            Rest rest{topplingOf(able, centreOfMass, rolling.ground()), 0.0};
+            rest.lean = std::acos(std::clamp(rest.ground.up.y(), -1.0, 1.0));
             return rest;
         }
         const double angle = rolling.angleOf(*roll);

@@ -13,8 +13,7 @@ namespace fff {
 /// Where something lies, on three points or more, and what becomes of it when it is pushed.
 struct Rest : Toppling
 {
-    Ground ground;     // none of the points is below it
-    double lean = 0.0; // radians, of it against the vertical
+    double lean = 0.0; // radians, of its ground against the vertical
 };
 
 /// Of a slab the points that can come to touch as what it belongs to leans and rocks (settle):

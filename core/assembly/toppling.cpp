@@ -69,10 +69,21 @@ public:
         : m_hull(lowerFaces(points)), m_centre(centre), m_ground(ground),
           m_isReached(m_hull.faces.size(), false), m_isFoot(m_hull.points.size(), false)
     {
+        for (const int first : firstFaces()) {
+            const std::optional<int> still = stillFrom(first);
+            if (!still)
+                m_last = fallFrom(first);
+            else if (m_rest < 0)
+                m_rest = *still;
+        }
+        const Vec3 up = m_rest < 0 ? ground.up : upOf(m_rest).value_or(ground.up);
+        if (m_rest >= 0)
+            m_ground = {up, up.dot(cornerOf(m_rest, 0))};
         for (std::size_t i = 0; i < m_hull.points.size(); ++i)
             m_isFoot[i] = touches(static_cast<int>(i));
-        for (const int face : firstFaces())
-            lieOn({face, m_ground.up, Hold()});
+        if (m_last || m_rest < 0)
+            return;
+        lieOn({m_rest, up, Hold()});
         // In the order of the tilting that it takes: each is reached with the least.
         while (!m_last && !m_next.empty()) {
             const Push push = m_next.top();
@@ -87,7 +98,7 @@ public:
         const Vec3 below = m_centre - m_ground.above(m_centre) * m_ground.up;
         // Without faces it stands on a point.
         const Hold last = m_last.value_or(Hold{0.0, 0.0, below});
-        Toppling found{last.tilt, last.margin, last.at, m_rocking, {}};
+        Toppling found{m_ground, last.tilt, last.margin, last.at, m_rocking, {}};
         for (std::size_t i = 0; i < m_hull.points.size(); ++i)
             if (m_isFoot[i])
                 found.contacts.push_back(m_hull.points[i]);
@@ -128,12 +139,19 @@ private:
     /// What it rests on.
     std::vector<int> firstFaces() const;
     Hold holdOf(int face, int side, const Vec3 &up) const;
+    /// The side of a face over which it goes down most; none where it lies still.
+    std::optional<int> wayDown(int face, const Vec3 &up) const;
+    /// Where it lies still; none where it falls.
+    std::optional<int> stillFrom(int face) const;
+    /// Over the worst edge of what it cannot lie on.
+    Hold fallFrom(int face) const;
     /// False: nothing is there on which it could lie.
     bool lieOn(const Push &push);
 
     HullFaces m_hull;
     Vec3 m_centre;
     Ground m_ground;
+    int m_rest = -1;               // a face
     std::vector<bool> m_isReached; // of the faces
     std::vector<bool> m_isFoot;    // of the points
     double m_rocking = 0.0;        // radians
@@ -188,6 +206,47 @@ Hold Topple::holdOf(int face, int side, const Vec3 &up) const
         hold.at = middle + hold.margin * way;
     }
     hold.tilt = std::atan2(hold.margin, std::max(0.0, height));
+    return hold;
+}
+
+std::optional<int> Topple::wayDown(int face, const Vec3 &up) const
+{
+    std::optional<int> way;
+    double least = -kClipGrid; // mm: on an edge it is over neither side
+    for (int side = 0; side < 3; ++side)
+        if (const double margin = holdOf(face, side, up).margin; margin < least) {
+            least = margin;
+            way = side;
+        }
+    return way;
+}
+
+std::optional<int> Topple::stillFrom(int face) const
+{
+    Vec3 up = m_ground.up;
+    std::vector<bool> isPassed(m_hull.faces.size(), false);
+    while (!isPassed[static_cast<std::size_t>(face)]) {
+        isPassed[static_cast<std::size_t>(face)] = true;
+        up = upOf(face).value_or(up);
+        if (angleBetween(up, Vec3::UnitY()) > kFarthestLean)
+            return std::nullopt;
+        const std::optional<int> way = wayDown(face, up);
+        if (!way)
+            return face;
+        const int next =
+            m_hull.faces[static_cast<std::size_t>(face)].across[static_cast<std::size_t>(*way)];
+        if (next < 0)
+            return std::nullopt;
+        face = next;
+    }
+    return face; // to and fro over an edge, to rounding
+}
+
+Hold Topple::fallFrom(int face) const
+{
+    const std::optional<int> way = wayDown(face, m_ground.up);
+    Hold hold = holdOf(face, way.value_or(0), m_ground.up);
+    hold.tilt = std::min(hold.tilt, 0.0);
     return hold;
 }
 

@@ -7,6 +7,7 @@
 #include "tests/core/assembly/settle_oracle.h"
 #include "tests/test_program.h"
 
+#include <numbers>
 #include <random>
 
 using namespace fff;
@@ -38,6 +39,8 @@ private Q_SLOTS:
     void whatRollsTooFarFalls();
     void itTipsOverTheLastFaceOfItsHull();
     void roundFeetCountAsTheyAre();
+    void aWheelDoesNotStand();
+    void whatIsLowestCounts();
     void itRestsAsItsEnergySays();
     void nothingIsBelowTheGround();
     void nothingRestsNowhere();
@@ -200,6 +203,45 @@ void TestSettling::roundFeetCountAsTheyAre()
                                 .arg(degrees(rest->tipAngle))
                                 .arg(degrees(coarse))));
     }
+}
+
+// Wrong: "tips past 7°" of a disc on its rim: a few of its corners are within what counts as
+// contact.
+void TestSettling::aWheelDoesNotStand()
+{
+    for (const double radius : {1.0, 5.0, 50.0})
+        for (const int corners : {60, 180, 720}) {
+            std::vector<Vec3> points;
+            for (int i = 0; i < corners; ++i)
+                for (const double side : {-0.2 * radius, 0.2 * radius}) {
+                    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / corners;
+                    points.emplace_back(radius * std::sin(angle), radius * (1.0 - std::cos(angle)),
+                                        side);
+                }
+            const auto rest = settle(points, {0, radius, 0});
+            QVERIFY(rest);
+            const double expected = std::numbers::pi / corners; // half of what one side turns it
+            QVERIFY2(std::abs(rest->tipAngle - expected) < 0.01 * expected,
+                     qPrintable(QStringLiteral("%1 of %2: %3")
+                                    .arg(corners)
+                                    .arg(radius)
+                                    .arg(degrees(rest->tipAngle))));
+        }
+}
+
+// Wrong: "falls at a touch" of a thin plate with a wavy edge, whose lowest points lie between two
+// that count as on the ground.
+void TestSettling::whatIsLowestCounts()
+{
+    const std::vector<Vec3> points{
+        {-60, 0.04, -0.05}, {-60, 0.04, 0.05}, {60, 0.04, -0.05}, {60, 0.04, 0.05}, {-20, 0, -0.05},
+        {-20, 0, 0.05},     {20, 0, -0.05},    {20, 0, 0.05},     {0, 0.03, -40},   {0, 0.03, 40}};
+    const auto rest = settle(points, {0, 30, 0});
+    QVERIFY(rest);
+    // Over the line from one end of the wavy edge to one end of what crosses it.
+    const double away = 60.0 * 40.0 / std::hypot(60.0, 40.0);
+    QVERIFY2(std::abs(rest->tipAngle - std::atan(away / 30.0)) < radians(0.3),
+             qPrintable(QString::number(degrees(rest->tipAngle))));
 }
 
 void TestSettling::nothingIsBelowTheGround()
