@@ -3,21 +3,25 @@
 #include "core/analysis/analysed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace fff {
 
 namespace {
 
-/// Problems of joints are told apart by their kinds, all others by what their badges are about.
-using Matter = std::pair<Subject, const FindingKind *>;
+/// Problems of joints, and of what holds together, are told apart by their kinds, all others by
+/// what their badges are about: fewer loose parts are no price for a section that comes loose.
+using Matter = std::pair<Subject, std::string_view>;
 
 Matter matterOf(const Finding &finding)
 {
-    const bool isOfJoints = finding.subject() == Subject::Joints;
-    return {finding.subject(), isOfJoints ? finding.kind : nullptr};
+    const bool isByKind =
+        finding.subject() == Subject::Joints || finding.subject() == Subject::Connection;
+    return {finding.subject(), isByKind ? finding.kind->name : std::string_view()};
 }
 
 int weightOf(const Finding &finding)
@@ -72,7 +76,8 @@ bool isNearer(const Finding &finding, std::span<const Finding> before)
     for (const Finding &other : before)
         if (other.is(*finding.kind) && other.severity >= Severity::Warning)
             was = std::min(was.value_or(other.kind->spare(other)), other.kind->spare(other));
-    return was && finding.kind->spare(finding) < kKeptSpare * *was;
+    // What is beyond it already has less than nothing to spare.
+    return was && finding.kind->spare(finding) < *was - (1.0 - kKeptSpare) * std::abs(*was);
 }
 
 bool isNewLoss(const Finding &finding, std::span<const Finding> before)

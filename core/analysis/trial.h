@@ -43,8 +43,8 @@ struct Burden
     auto operator<=>(const Burden &) const = default;
 };
 
-/// Whether nothing is worse: no badge, no kind of problem of joints, and none of what is said of
-/// the same sections before and after. What is amber has to keep its distance from red, but for a
+/// Whether nothing is worse: no badge, no kind of problem of joints or of what holds together, and
+/// none of what is said of the same sections before and after. What is amber has to keep its distance from red, but for a
 /// tenth of it; and a loss is none to be had for anything.
 bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after);
 /// Whether what it says has gone, or become less, and less is wrong with what it is about.

@@ -148,7 +148,8 @@ const FindingKind kLoosePieces{
     .sentence = loosePiecesSentence,
     .actions = turnSlits,
     .weight = [](const Finding &finding) { return finding.details<LoosePieces>()->loose; },
-    .advice = kLetOneEnd};
+    .advice = kLetOneEnd,
+    .isLoss = true};
 const FindingKind kSevered{.name = "loosePieces",
                            .subject = Subject::Connection,
                            .title = FFF_TEXT("Checks", "Loose parts"),

@@ -1,6 +1,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/analysis/findings/connection.h"
+#include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/gap.h"
 #include "core/analysis/trial.h"
@@ -61,6 +62,7 @@ private Q_SLOTS:
     void oneMoreIsNew();
     void whatIsLessGraveIsSolved();
     void whatIsWorseIsNotSolved();
+    void nothingIsTradedForAnother();
 };
 
 // Wrong: "Three moved by 0 mm".
@@ -141,6 +143,31 @@ void TestTrialWords::whatIsWorseIsNotSolved()
     const Document document = threePlates();
     QCOMPARE(saidOf(document, document, {unsteady(Severity::Warning)}, {unsteady(Severity::Error)}),
              QStringLiteral("new: Falls at a touch"));
+}
+
+// Wrong: a link that makes one section whole and cuts another one in two, one that solves seven
+// problems and leaves a section joined to nothing, one after which it falls farther.
+void TestTrialWords::nothingIsTradedForAnother()
+{
+    const Document document = threePlates();
+    const auto apart = [&](std::size_t section, int pieces) {
+        Finding finding = makeFinding(kLoosePieces, Severity::Error,
+                                      LoosePieces{pieces + 1, pieces, 20.0, 10.0, true});
+        finding.sections = {document.sections[section]->ref()};
+        return finding;
+    };
+    const std::vector<Finding> before{apart(0, 3), apart(1, 2)};
+    QVERIFY(isNoWorse(before, std::vector<Finding>{apart(0, 2), apart(1, 2)}));
+    QVERIFY(!isNoWorse(before, std::vector<Finding>{apart(0, 1), apart(2, 1)}));
+    QVERIFY(!isNoWorse(before, std::vector<Finding>{apart(0, 1), loose(document, {2})}));
+    const auto falls = [](double margin) {
+        Footing footing;
+        footing.margin = margin;
+        return std::vector<Finding>{makeFinding(kTopples, Severity::Error, footing)};
+    };
+    QVERIFY(isNoWorse(falls(-37.0), falls(-30.0)));
+    QVERIFY(isNoWorse(falls(-37.0), falls(-37.0)));
+    QVERIFY(!isNoWorse(falls(-37.0), falls(-44.0)));
 }
 
 FFF_TEST(TestTrialWords)
