@@ -11,7 +11,7 @@ inline constexpr Text kLeaveGuided =
     FFF_TEXT("Hint", "Drag on to leave %1. <kbd>Ctrl</kbd> leaves the slit as you draw it. "
                      "<kbd>Esc</kbd> cancels.");
 inline constexpr Text kTurning =
-    FFF_TEXT("Hint", "Turning to the new plane; wait until it stops, or draw on at once.");
+    FFF_TEXT("Hint", "The view is turning: draw on at once, or wait until it stops.");
 inline constexpr Text kLeaveDeadZone =
     FFF_TEXT("Hint", "Draw the outline: leave the grey zone where it should start. Release here to "
                      "cancel.");

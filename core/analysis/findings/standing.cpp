@@ -19,6 +19,12 @@ using Group = std::vector<int>; // bodies
 /// What leans by less nobody sees (0.1°, radians).
 constexpr double kLeastLean = 0.0017453292519943296;
 
+/// What leans as well is told by that: it is seen without a push.
+bool rocksAlone(const Footing &footing)
+{
+    return footing.lean <= kPlainLean && footing.rocking > footing.lean;
+}
+
 // --- what can be done
 
 //: %1 is the name of a section
@@ -104,7 +110,7 @@ Message ofThese(const Finding &finding, const Model &model, Message sentence)
 Message standsSentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
-    if (footing.rocking >= kLeastLean && footing.rocking > footing.lean)
+    if (footing.rocking >= kLeastLean && rocksAlone(footing))
         return ofThese(
             finding, model,
             {FFF_TEXT("Checks", "Stands, but rocks by %1. Tips only past %2. Margin %3."),
@@ -153,7 +159,7 @@ Text leanOf(Towards side)
 Message leansSentence(const Finding &finding, const Model &model)
 {
     const Footing &footing = *finding.details<Footing>();
-    if (footing.rocking > footing.lean)
+    if (rocksAlone(footing))
         return ofThese(finding, model,
                        joined({FFF_TEXT("Checks", "Rocks by %1: its lowest points are not all on "
                                                   "the ground. Tips only past %2."),
@@ -185,17 +191,14 @@ Message unsteadySentence(const Finding &finding, const Model &model)
     return ofThese(
         finding, model,
         {falls ? FFF_TEXT("Checks", "Falls at a touch: tilted by %1 it tips over. Margin %2.")
-               : FFF_TEXT("Checks", "Barely stands: the slightest push tips it over. Tips past %1, "
-                                    "margin %2."),
+               : FFF_TEXT("Checks", "Barely stands: tilted by %1 it tips over. Margin %2."),
          {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
 }
 
 Message leansTitle(const Finding &finding)
 {
     const Footing &footing = *finding.details<Footing>();
-    return {footing.rocking > footing.lean ? FFF_TEXT("Checks", "Rocks")
-                                           : FFF_TEXT("Checks", "Leans"),
-            {}};
+    return {rocksAlone(footing) ? FFF_TEXT("Checks", "Rocks") : FFF_TEXT("Checks", "Leans"), {}};
 }
 
 Message unsteadyTitle(const Finding &finding)
@@ -263,6 +266,11 @@ Message belowGroundSentence(const Finding &finding, const Model &model)
 double tipAngleOf(const Finding &finding)
 {
     return finding.details<Footing>()->tipAngle;
+}
+
+double marginOf(const Finding &finding)
+{
+    return finding.details<Footing>()->margin;
 }
 
 ProblemLook footingLook(const Finding &finding)
@@ -405,7 +413,7 @@ const FindingKind kLeans{.name = "leans",
                          .sentence = leansSentence,
                          .actions = level,
                          .look = footingLook,
-                         .advice = FFF_TEXT("Checks", "Let its feet end on one plane."),
+                         .advice = FFF_TEXT("Checks", "Make all its feet end at the same height."),
                          .titled = leansTitle,
                          .spare = tipAngleOf,
                          .yet = kNotYet};
@@ -416,6 +424,7 @@ const FindingKind kTopples{.name = "topples",
                            .actions = stretch,
                            .look = footingLook,
                            .advice = kFootAdvice,
+                           .spare = marginOf,
                            .yet = kNotYet};
 const FindingKind kLineSupport{.name = "lineSupport",
                                .subject = Subject::Stability,
@@ -424,6 +433,7 @@ const FindingKind kLineSupport{.name = "lineSupport",
                                .actions = stretch,
                                .look = footingLook,
                                .advice = kFootAdvice,
+                               .spare = marginOf,
                                .yet = kNotYet};
 const FindingKind kNoContact{.name = "noContact",
                              .subject = Subject::Stability,

@@ -4,8 +4,6 @@ namespace fff {
 
 namespace {
 
-/// mm: a laser burns away what is thinner, or a hand breaks it while it takes the part out.
-constexpr double kLeastNeck = 0.5;
 /// mm: what is thinner is not there any more when the part is cut.
 constexpr double kLeastCut = 0.1;
 

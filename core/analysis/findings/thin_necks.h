@@ -6,6 +6,9 @@
 
 namespace fff {
 
+/// mm: a laser burns away what is thinner, or a hand breaks it while it takes the part out.
+inline constexpr double kLeastNeck = 0.5;
+
 extern const FindingKind kHangsByNothing, kThinNeck;
 
 /// Of bodies that are strained; slits have findings of their own (thin_webs.h).

@@ -3,6 +3,7 @@
 #include "core/analysis/findings/drawn_source.h"
 #include "core/analysis/findings/neck_growth.h"
 #include "core/analysis/findings/strength_judge.h"
+#include "core/analysis/findings/thin_necks.h"
 #include "core/assembly/joint_editing.h"
 #include "core/model/edits.h"
 
@@ -174,9 +175,10 @@ private:
         // no less than the cube root of what is missing, and more where it goes on being weak.
         const double most =
             std::max(kMostOfLength * weak.length, kMostOfThickness * weak.thickness);
-        const double first =
-            std::clamp(weak.length * (std::cbrt(weak.use) - 1.0), kLeastWider, most);
-        double fails = 0.0, holds = 0.0;
+        const double first = std::clamp(weak.length * (std::cbrt(weak.use) - 1.0),
+                                        std::max(kLeastWider, kLeastNeck - weak.length), most);
+        // Nor does it stay what another check calls too thin.
+        double fails = std::max(0.0, kLeastNeck - weak.length), holds = 0.0;
         std::optional<Document> best;
         for (int i = 0; i < kGrowths && !best; ++i) {
             const double growth = first * std::pow(most / first, i / (kGrowths - 1.0));

@@ -201,8 +201,7 @@ void TestChecks::plateOnEdgeIsNotFirm()
     QVERIFY(finding);
     QCOMPARE(finding->severity, Severity::Warning);
     QCOMPARE(textOf(analysis, kUnsteady),
-             QStringLiteral("Barely stands: the slightest push tips it over. Tips past 2°, margin "
-                            "1.5 mm."));
+             QStringLiteral("Barely stands: tilted by 2° it tips over. Margin 1.5 mm."));
 }
 
 void TestChecks::weightsTip()
