@@ -92,6 +92,28 @@ Document withFiguresKept(Document document, const Section &before, const Eigen::
     return document;
 }
 
+/// Words keep the height of their letters where the section is stretched, and stay words.
+Document withLetteringKept(Document document, const Section &before, const Eigen::Matrix2d &matrix,
+                           const Vec2 &about)
+{
+    const Section *now = document.find(before.id);
+    if (!now || now->marks.size() != before.marks.size())
+        return document;
+    for (std::size_t i = 0; i < before.marks.size(); ++i) {
+        const Mark &mark = *before.marks[i];
+        if (!mark.lettering)
+            continue;
+        Lettering words = *mark.lettering;
+        words.at = about + matrix * (words.at - about);
+        Result<MarkPointer> written = letteredMark(words, mark.kind);
+        Result<Document> next = written ? setMark(document, before.id, i, *std::move(written))
+                                        : Result<Document>(tl::unexpected(written.error()));
+        if (next)
+            document = *std::move(next);
+    }
+    return document;
+}
+
 /// About the middle of its slit, which stays where it is; without one about that of its box. Slits
 /// are no part of a contour: they keep their width.
 template <int axis>
@@ -109,7 +131,8 @@ Result<Document> writeSize(Document document, const Section &section, double to)
     Result<Document> next = stretchedSection(std::move(document), section.id, matrix, about);
     if (!next)
         return next;
-    return withFiguresKept(*std::move(next), section, matrix, about);
+    return withLetteringKept(withFiguresKept(*std::move(next), section, matrix, about), section,
+                             matrix, about);
 }
 
 struct SectionField

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void thickness();
     void sectionsOnSections();
     void wordsFollow();
+    void wordsStayWordsOnAStretchedSection();
     void twoThatDisagree();
     void renameIsEverywhere();
     void removalLeavesNumbers();
@@ -207,6 +208,25 @@ void TestDriven::wordsFollow()
     document = evaluate(document).document;
     QVERIFY(document.bindings.empty());
     QCOMPARE(document.sections[0]->marks[0]->lettering->text, std::string("8 of 9"));
+}
+
+// Wrong: words that a stretched section turns into mere lines, which follow nothing any more.
+void TestDriven::wordsStayWordsOnAStretchedSection()
+{
+    Document document = withValue(shelf(), "n", "3", ValueKind::Count);
+    const std::int64_t board = document.sections[0]->id.value;
+    document = madeOf(document, "lettering/" + std::to_string(board) + "/0/text", "{n} of 9");
+    document = madeOf(document, key("section", board, "width"), "100 mm * n");
+    const std::optional<Lettering> wide = document.sections[0]->marks[0]->lettering;
+    QVERIFY(wide);
+    QCOMPARE(wide->height, 8.0);
+    // As far from the middle of the board, in shares of its width, as before.
+    QVERIFY((wide->at - Vec2(175, 20)).norm() < 1e-9);
+    document = typed(document, "n", "2");
+    const std::optional<Lettering> narrow = document.sections[0]->marks[0]->lettering;
+    QVERIFY(narrow);
+    QCOMPARE(narrow->text, std::string("2 of 9"));
+    QVERIFY((narrow->at - Vec2(150, 20)).norm() < 1e-9);
 }
 
 void TestDriven::twoThatDisagree()
