@@ -4,12 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace fff {
 
 namespace {
 
 constexpr double kInfinite = 1e12; // a tangent that is larger is that of 90°, rounded
+
+/// In letters. Of UTF-8, what is no byte inside a letter begins one.
+double longestLine(std::string_view text)
+{
+    int longest = 0, now = 0;
+    for (const char c : text) {
+        now = c == '\n' ? 0 : now + ((static_cast<unsigned char>(c) & 0xC0) == 0x80 ? 0 : 1);
+        longest = std::max(longest, now);
+    }
+    return longest;
+}
 
 } // namespace
 
@@ -33,6 +45,8 @@ std::optional<FormulaEvaluation::Cell> FormulaEvaluation::call(const FormulaNode
     case Function::Or:
     case Function::Not:
         return logic(function, node);
+    case Function::Len:
+        return letters(node);
     default:
         break;
     }
@@ -92,6 +106,19 @@ std::optional<FormulaEvaluation::Cell> FormulaEvaluation::logic(Function functio
     for (int i = 1; i < node.childCount; ++i)
         if (result.fault < 0 && result.number != decisive)
             result = cell(node, i);
+    return result;
+}
+
+std::optional<FormulaEvaluation::Cell> FormulaEvaluation::letters(const FormulaNode &node)
+{
+    const Cell &of = cell(node, 0);
+    if (of.type != Type::Text) {
+        const FormulaNode &child = m_formula.child(node, 0);
+        return fail(expression_words::kNeeds, child,
+                    {quote(child), noun(of), nounOf(ValueKind::Text)});
+    }
+    Cell result{Type::Number, {}, false, longestLine(*of.text)};
+    result.fault = of.fault;
     return result;
 }
 

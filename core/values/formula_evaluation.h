@@ -78,6 +78,7 @@ private:
     std::optional<Cell> choice(const FormulaNode &node);
     /// From left to right; what comes after the answer may have none.
     std::optional<Cell> logic(Function function, const FormulaNode &node);
+    std::optional<Cell> letters(const FormulaNode &node);
     std::optional<Cell> extreme(Function function, const FormulaNode &node);
     std::optional<Cell> rounded(Function function, const FormulaNode &node);
     std::optional<Cell> root(const FormulaNode &node);

@@ -24,6 +24,7 @@ constexpr FunctionName kFunctionNames[] = {
     {Function::And, "and", 2, kMostArguments},
     {Function::Or, "or", 2, kMostArguments},
     {Function::Not, "not", 1, 1},
+    {Function::Len, "len", 1, 1},
 };
 
 } // namespace

@@ -24,6 +24,7 @@ enum class Function {
     And,
     Or,
     Not,
+    Len, // how many letters the longest line of a text has
 };
 
 struct FunctionName

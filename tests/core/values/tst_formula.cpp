@@ -161,6 +161,11 @@ void TestFormula::whatIsTyped_data()
     row("2,5 mm", Length, 2.5);
     row("max(2,5; 3)", Number, 3.0);
     row("max((2,5), 3)", Number, 3.0);
+    row("len('abc')", Count, 3.0);
+    row("2*len(style)", Number, 10.0);
+    row("len('Größe 長さ')", Count, 8.0);
+    row("len('ab\ncdef\ng')", Count, 4.0);
+    row("len(if(lid, style, 'a'))*gap", Length, 60.0);
 }
 
 void TestFormula::whatIsTyped()
@@ -326,6 +331,9 @@ void TestFormula::wrongOnesAreToldInOneSentence_data()
     row("sin(gap)", Ratio, "gap");
     row("asin(gap)", Angle, "gap");
     row("sqrt(gap)", Length, "gap");
+    row("len(gap)", Count, "gap");
+    row("len(lid)", Count, "lid");
+    row("len(style)", Length, "len(style)");
     row("gap^n", Length, "gap^n");
     row("gap^0.5", Length, "gap^0.5");
     row("gap^10", Length, "gap^10");
