@@ -12342,10 +12342,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Glas auf drei Beinen</translation>
     </message>
     <message>
-        <source>Glass on four legs</source>
-        <translation>Glas auf vier Beinen</translation>
-    </message>
-    <message>
         <source>Three thin legs: too weak</source>
         <translation>Drei dünne Beine: zu schwach</translation>
     </message>
@@ -12372,6 +12368,22 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hedgehog in slices</source>
         <translation>Igel in Schnitten</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Regal</translation>
+    </message>
+    <message>
+        <source>Drawer organiser</source>
+        <translation>Schubladeneinsatz</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Namensschild</translation>
+    </message>
+    <message>
+        <source>Glass stand</source>
+        <translation>Glasständer</translation>
     </message>
 </context>
 <context>

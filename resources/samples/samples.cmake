@@ -13,6 +13,7 @@ qt_add_resources(fff_ui samples PREFIX /samples BASE ${CMAKE_CURRENT_LIST_DIR} F
     ${CMAKE_CURRENT_LIST_DIR}/cutlery_man.fff
     ${CMAKE_CURRENT_LIST_DIR}/dachshund.fff
     ${CMAKE_CURRENT_LIST_DIR}/dinosaur.fff
+    ${CMAKE_CURRENT_LIST_DIR}/drawer_organiser.fff
     ${CMAKE_CURRENT_LIST_DIR}/fish.fff
     ${CMAKE_CURRENT_LIST_DIR}/gears.fff
     ${CMAKE_CURRENT_LIST_DIR}/glass_four_legs.fff
@@ -21,8 +22,10 @@ qt_add_resources(fff_ui samples PREFIX /samples BASE ${CMAKE_CURRENT_LIST_DIR} F
     ${CMAKE_CURRENT_LIST_DIR}/growing_tree.fff
     ${CMAKE_CURRENT_LIST_DIR}/hedgehog.fff
     ${CMAKE_CURRENT_LIST_DIR}/lamp.fff
+    ${CMAKE_CURRENT_LIST_DIR}/name_plate.fff
     ${CMAKE_CURRENT_LIST_DIR}/organiser.fff
     ${CMAKE_CURRENT_LIST_DIR}/owl.fff
+    ${CMAKE_CURRENT_LIST_DIR}/shelf.fff
     ${CMAKE_CURRENT_LIST_DIR}/tree.fff
     ${CMAKE_CURRENT_LIST_DIR}/two_poses.fff
     ${CMAKE_CURRENT_LIST_DIR}/whale.fff)

@@ -39,6 +39,9 @@ const Row kRows[] = {
     {"acrylic_thin_four", samples::acrylicThinFour},
     {"acrylic_thick_three", samples::acrylicThickThree},
     {"acrylic_thick_four", samples::acrylicThickFour},
+    {"shelf", samples::shelf},
+    {"drawer_organiser", samples::drawerOrganiser},
+    {"name_plate", samples::namePlate},
 };
 
 } // namespace

@@ -26,6 +26,11 @@ const Row kRows[] = {
     {"chair", QT_TRANSLATE_NOOP("fff::ui::Samples", "Doll’s chair")},
     {"glass_holder", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass holder")},
     {"organiser", QT_TRANSLATE_NOOP("fff::ui::Samples", "Desk organiser")},
+    // With values to adjust, as lamp and gears have them, too.
+    {"shelf", QT_TRANSLATE_NOOP("fff::ui::Samples", "Shelf")},
+    {"drawer_organiser", QT_TRANSLATE_NOOP("fff::ui::Samples", "Drawer organiser")},
+    {"name_plate", QT_TRANSLATE_NOOP("fff::ui::Samples", "Name plate")},
+    {"glass_four_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass stand")},
     // Drawn over a mesh, over pictures, and cut from a mesh.
     {"bear", QT_TRANSLATE_NOOP("fff::ui::Samples", "Bear over a mesh")},
     {"owl", QT_TRANSLATE_NOOP("fff::ui::Samples", "Owl from pictures")},
@@ -41,7 +46,6 @@ const Row kRows[] = {
     {"whale", QT_TRANSLATE_NOOP("fff::ui::Samples", "Whale in cells")},
     {"cutlery_man", QT_TRANSLATE_NOOP("fff::ui::Samples", "Cutlery man")},
     {"glass_three_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass on three legs")},
-    {"glass_four_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass on four legs")},
     {"acrylic_thin_three", QT_TRANSLATE_NOOP("fff::ui::Samples", "Three thin legs: too weak")},
     {"acrylic_thin_four", QT_TRANSLATE_NOOP("fff::ui::Samples", "Four thin legs: too weak")},
     {"acrylic_thick_three", QT_TRANSLATE_NOOP("fff::ui::Samples", "Three thick legs: barely")},

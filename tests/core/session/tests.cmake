@@ -59,6 +59,11 @@ target_sources(tests_session PRIVATE
     core/session/staged.cpp)
 target_compile_definitions(tests_session PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
+# Samples over the ranges of their values.
+fff_tests(tests_adjustable LIBRARIES fff::session TESTS core/session/tst_adjustable_samples)
+target_compile_definitions(tests_adjustable PRIVATE
+    FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
+
 # How parts lie on their sheets.
 fff_tests(tests_sheets LIBRARIES fff::session TESTS
     core/session/tst_sheet_wishes

@@ -5,12 +5,9 @@
 #include "core/analysis/narrowed_ranges.h"
 #include "core/base/units.h"
 #include "core/interaction/value_trial_editing.h"
-#include "core/io/document_file.h"
 #include "core/operations/seeded.h"
 #include "tests/core/operations/driven_models.h"
 #include "tests/test_program.h"
-
-#include <QDir>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +103,6 @@ private Q_SLOTS:
     void boxesHaveNoBadPlace();
     void narrowingIsRefusedWhereNothingHolds();
     void stoppedItGivesNothing();
-    void rangesOfSamplesHold();
 };
 
 void TestValueTrials::theOrderOfValuesDoesNotMatter()
@@ -347,23 +343,6 @@ void TestValueTrials::stoppedItGivesNothing()
     stop.request_stop();
     QVERIFY(!tryValues(evaluate(table({80.0, 200.0, {}}, {60.0, 120.0, {}})), {}, {}, progress,
                        stop.get_token()));
-}
-
-// Wrong: a sample breaks where its own slider ends.
-void TestValueTrials::rangesOfSamplesHold()
-{
-    const QDir samples(QStringLiteral(FFF_SAMPLES), QStringLiteral("*.fff"));
-    QVERIFY(!samples.isEmpty());
-    for (const QFileInfo &file : samples.entryInfoList()) {
-        const auto read = io::readDocument(file.filePath());
-        QVERIFY2(read, qPrintable(file.fileName()));
-        if (rangedValues(evaluate(read->document)).empty())
-            continue;
-        const ValueTrials trials = tried(read->document, 50);
-        for (const auto &[fault, times] : trials.faults())
-            qInfo("%s: %s %d", qPrintable(file.fileName()), fault.text.source, times);
-        QVERIFY2(trials.failing() == 0, qPrintable(file.fileName()));
-    }
 }
 
 FFF_TEST(TestValueTrials)

@@ -1,3 +1,5 @@
+// Two wheels that mesh: discs that one operation makes gears and others pierce. Cradles reach into
+// the gaps between teeth, so that no tooth is cut in two.
 #include "core/base/units.h"
 #include "tests/tools/samples/contours.h"
 #include "tests/tools/samples/maker.h"
@@ -7,73 +9,148 @@ namespace fff::samples {
 
 namespace {
 
-/// Carries a wheel in the middle and one to either side; beams run between them.
+/// Carries a wheel in the middle; a beam runs to either side of it.
 Contour cradle()
 {
-    return roundedBothSides({{{9, 46}, 5},
-                             {{12, 26}, 3},
-                             {{18, 26}, 3},
-                             {{21, 46}, 5},
-                             {{34, 46}, 6},
-                             {{42, 18}, 12},
-                             {{54, 13}, 6},
-                             {{54, 0}}});
+    return flowingBothSides(
+        {{{46, 0}, true}, {{45, 7}}, {{34, 15}}, {{23, 22}}, {{13, 31}}, {{9, 45}}, {{0, 48}}});
+}
+
+Contour sill()
+{
+    return flowingBothSides(
+        {{{100, 0}, true}, {{100, 8}, true}, {{96, 14}}, {{84, 15}}, {{0, 15}}});
+}
+
+/// A disc of this radius round there; teeth come later.
+Figure wheel(double radius)
+{
+    return {.kind = "circle", .numbers = {2.0 * radius}};
+}
+
+void deriveTrain(Maker &maker)
+{
+    using enum ValueKind;
+    maker.derive("radius", Length, "module*(teeth/2 + 1)",
+                 "Of the wheel, to the tips of its teeth");
+    maker.derive("pinion_radius", Length, "module*(pinion/2 + 1)", "Of the pinion, likewise");
+    maker.derive("root", Length, "module*(teeth/2 - 1.2)",
+                 "Of the wheel, to the ground of its gaps");
+    maker.derive("pinion_root", Length, "module*(pinion/2 - 1.2)", "Of the pinion, likewise");
+    maker.derive("distance", Length, "module*((teeth + pinion)/2 + 0.5)",
+                 "From axis to axis, with some play");
+    maker.derive("cradle", Length, "16 mm + 0.4*radius", "Height of the cradles");
+    maker.derive("axis_y", Length, "cradle + 0.65*root", "Height of the wheel's axis");
+    maker.derive("pinion_y", Length, "cradle + pinion_root/2", "Height of the pinion's axis");
+    maker.derive("tilt", Angle, "asin((axis_y - pinion_y)/distance)",
+                 "How much lower the pinion is, seen from the wheel");
+    maker.derive("along", Length, "distance*cos(tilt)", "From axis to axis, level");
+    maker.derive("axis_x", Length, "-(along + pinion_radius - radius)/2", "Of the wheel");
+    maker.derive("pinion_x", Length, "axis_x + along", "Of the pinion");
+    // A tooth of the pinion points down, so that its two cradles stand alike. The wheel turns back
+    // by as much as the pinion is turned from where one of its gaps is on the line of the axes.
+    maker.derive("pinion_phase", Angle, "270°", "Where a tooth of the pinion is");
+    maker.derive("turn", Angle, "90° + tilt - 180°/pinion",
+                 "Of the pinion, from a gap to the wheel");
+    maker.derive("rest", Angle, "turn - round(turn/(360°/pinion))*360°/pinion",
+                 "The same without whole teeth");
+    maker.derive("phase", Angle, "360° - tilt - 360°/teeth - rest*pinion/teeth",
+                 "Where a tooth of the wheel is");
+}
+
+/// Where a cradle stands: below the gap to that side of the lowest place of a wheel.
+void driveCradle(Maker &maker, const SectionRef &cradle, bool isPinion, const char *side)
+{
+    const std::string of = isPinion ? "pinion_" : "", teeth = isPinion ? "pinion" : "teeth",
+                      axis = isPinion ? "pinion_x" : "axis_x", sector = "(360°/" + teeth + ")";
+    const std::string gaps = "floor((270° - " + of + "phase)/" + sector + side + ") + 0.5";
+    maker.drive(cradle, "x",
+                axis + " + (" + of + "root + 0.3*module)*cos(" + of + "phase + (" + gaps + ")*" +
+                    sector + ")");
+    maker.drive(cradle, "height", "cradle");
+    maker.drive(cradle, "y", "cradle/2");
 }
 
 } // namespace
 
-/// A clockwork that stands still: discs that one operation makes gears and another one pierces.
 void gears(const std::string &folder)
 {
     Maker maker;
-    const SectionRef large = maker.add("Large wheel", facingFront(0.0), circle({-28, 82}, 62)),
-                     small = maker.add("Front wheel", facingFront(26.0), circle({60, 63}, 42)),
-                     rear = maker.add("Rear wheel", facingFront(-26.0), circle({60, 63}, 42));
-    int number = 1;
-    for (const double x : {-54.0, -2.0, 41.0, 79.0})
-        maker.add("Cradle " + std::to_string(number++), facingRight(x), cradle());
-    const SectionRef front = maker.add("Sill", facingFront(13.0), strip(-88, 104, 15, 6));
-    maker.apply("radial", "Teeth", {{"section", {large}}},
-                {{"kind", "gear"},
-                 {"sectors", 22.0},
-                 {"outerRadius", 64.0},
-                 {"innerRadius", 55.0},
-                 {"tooth", "trapezium"},
-                 {"phase", radians(8.0)}});
-    maker.apply(
+    maker.show({.name = "module",
+                .typed = "5 mm",
+                .least = 3.5,
+                .most = 5.5,
+                .step = 0.1,
+                .note = "Diameter a tooth: the size of the teeth"});
+    maker.show({.name = "teeth",
+                .kind = ValueKind::Count,
+                .typed = "22",
+                .least = 18,
+                .most = 26,
+                .note = "Of the wheel"});
+    maker.show({.name = "pinion",
+                .kind = ValueKind::Count,
+                .typed = "14",
+                .least = 12,
+                .most = 16,
+                .note = "Teeth of the pinion"});
+    deriveTrain(maker);
+
+    const SectionRef large = maker.addFigures("Wheel", facingFront(0.0), wheel(60.0)),
+                     small = maker.addFigures("Pinion", facingFront(0.0), wheel(40.0));
+    for (const auto &[disc, of] : {std::pair{large, std::string("axis")}, {small, "pinion"}}) {
+        maker.drive(disc, "x", of + "_x");
+        maker.drive(disc, "y", of + "_y");
+    }
+    maker.driveFigure(large, 0, "diameter", "2*radius");
+    maker.driveFigure(small, 0, "diameter", "2*pinion_radius");
+
+    int number = 0;
+    for (const bool isPinion : {false, true}) {
+        for (const char *side : {" - 0.5", " + 0.5"}) {
+            const std::string name = "Cradle " + std::to_string(++number);
+            driveCradle(maker, maker.add(name, facingRight(20.0 * number), cradle()), isPinion,
+                        side);
+        }
+    }
+    const SectionRef front = maker.add("Sill", facingFront(17.0), sill());
+    maker.drive(front, "width", "along + radius + pinion_radius");
+
+    const OperationId teeth = maker.apply(
+        "radial", "Teeth", {{"section", {large}}},
+        {{"kind", "gear"}, {"outerRadius", 60.0}, {"innerRadius", 49.0}, {"tooth", "trapezium"}});
+    maker.drive(teeth, "sectors", "teeth");
+    maker.drive(teeth, "outerRadius", "radius");
+    maker.drive(teeth, "innerRadius", "root");
+    maker.drive(teeth, "phase", "phase");
+    const OperationId holes = maker.apply(
         "radial", "Ring of holes", {{"section", {large}}},
-        {{"kind", "holes"}, {"sectors", 8.0}, {"outerRadius", 40.0}, {"innerRadius", 22.0}});
-    maker.apply("radial", "Star", {{"section", {large}}},
-                {{"kind", "star"},
-                 {"sectors", 8.0},
-                 {"outerRadius", 16.0},
-                 {"innerRadius", 10.0},
-                 {"applyTo", "holes"}});
-    maker.apply("radial", "Round teeth", {{"section", {small}}},
-                {{"kind", "gear"},
-                 {"sectors", 14.0},
-                 {"outerRadius", 44.0},
-                 {"innerRadius", 36.0},
-                 {"tooth", "round"}});
-    maker.apply("radial", "Sun", {{"section", {small}}},
-                {{"kind", "star"},
-                 {"sectors", 10.0},
-                 {"outerRadius", 20.0},
-                 {"innerRadius", 11.0},
-                 {"applyTo", "holes"}});
-    maker.apply("radial", "Square teeth", {{"section", {rear}}},
-                {{"kind", "gear"},
-                 {"sectors", 14.0},
-                 {"outerRadius", 50.0},
-                 {"innerRadius", 42.0},
-                 {"tooth", "square"},
-                 {"phase", radians(90.0 + 180.0 / 14.0)}});
-    maker.apply("radial", "Larger holes", {{"section", {rear}}},
-                {{"kind", "holes"},
-                 {"sectors", 5.0},
-                 {"outerRadius", 31.0},
-                 {"innerRadius", 11.0},
-                 {"phase", radians(90.0)}});
+        {{"kind", "holes"}, {"sectors", 8.0}, {"outerRadius", 31.0}, {"innerRadius", 17.0}});
+    maker.drive(holes, "outerRadius", "0.52*radius");
+    maker.drive(holes, "innerRadius", "0.28*radius");
+    const OperationId star = maker.apply("radial", "Star", {{"section", {large}}},
+                                         {{"kind", "star"},
+                                          {"sectors", 8.0},
+                                          {"outerRadius", 15.0},
+                                          {"innerRadius", 9.0},
+                                          {"applyTo", "holes"}});
+    maker.drive(star, "outerRadius", "0.22*radius");
+    maker.drive(star, "innerRadius", "0.13*radius");
+    const OperationId pinionTeeth = maker.apply(
+        "radial", "Pinion teeth", {{"section", {small}}},
+        {{"kind", "gear"}, {"outerRadius", 40.0}, {"innerRadius", 29.0}, {"tooth", "trapezium"}});
+    maker.drive(pinionTeeth, "sectors", "pinion");
+    maker.drive(pinionTeeth, "outerRadius", "pinion_radius");
+    maker.drive(pinionTeeth, "innerRadius", "pinion_root");
+    maker.drive(pinionTeeth, "phase", "pinion_phase");
+    const OperationId sun = maker.apply("radial", "Sun", {{"section", {small}}},
+                                        {{"kind", "star"},
+                                         {"sectors", 10.0},
+                                         {"outerRadius", 16.0},
+                                         {"innerRadius", 9.0},
+                                         {"applyTo", "holes"}});
+    maker.drive(sun, "outerRadius", "0.32*pinion_radius");
+    maker.drive(sun, "innerRadius", "0.18*pinion_radius");
     maker.apply("mirror", "Other sill", {{"sections", {front}}},
                 {{"plane", "z"}, {"what", "selection"}});
     maker.write(folder, "gears");

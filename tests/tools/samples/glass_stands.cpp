@@ -48,16 +48,9 @@ Contour drop(const Vec2 &at)
                     {at + Vec2(-7, 16)}});
 }
 
-void glass(const std::string &folder, const std::string &name, double legs, double shelf,
-           double ring, Contour leg, std::vector<Contour> holes)
+Figure round(double diameter)
 {
-    Maker maker;
-    const SectionRef disc = maker.add("Shelf", lying(shelf), circle({0, 0}, 47));
-    maker.addOn(disc, "Leg", facingFront(0.0), std::move(leg), std::move(holes));
-    maker.add("Ring", lying(ring), circle({0, 0}, 60), {circle({0, 0}, 38)});
-    maker.put(disc, {0, 0}, fullGlass());
-    maker.apply("rotational", "Legs", {}, {{"times", legs}});
-    maker.write(folder, name);
+    return {.kind = "circle", .numbers = {diameter}};
 }
 
 /// An arched leg of the stands that the paper tries in acrylic (figure 17): its shank is so wide,
@@ -117,12 +110,39 @@ void acrylicThickFour(const std::string &folder)
 /// Holds a glass of water; one leg is drawn.
 void glassOnThreeLegs(const std::string &folder)
 {
-    glass(folder, "glass_three_legs", 3.0, 40.0, 98.0, slenderLeg(), {});
+    Maker maker;
+    const SectionRef disc = maker.add("Shelf", lying(40.0), circle({0, 0}, 47));
+    maker.addOn(disc, "Leg", facingFront(0.0), slenderLeg());
+    maker.add("Ring", lying(98.0), circle({0, 0}, 60), {circle({0, 0}, 38)});
+    maker.put(disc, {0, 0}, fullGlass());
+    maker.apply("rotational", "Legs", {}, {{"times", 3.0}});
+    maker.write(folder, "glass_three_legs");
 }
 
+/// As wide as the glass, on as many legs as one likes.
 void glassOnFourLegs(const std::string &folder)
 {
-    glass(folder, "glass_four_legs", 4.0, 31.0, 90.0, strongLeg(), {drop({68, 34})});
+    Maker maker;
+    maker.show({.name = "diameter",
+                .typed = "76 mm",
+                .least = 64,
+                .most = 92,
+                .step = 1,
+                .note = "Of the glass"});
+    maker.show({.name = "legs", .kind = ValueKind::Count, .typed = "4", .least = 3, .most = 6});
+    const SectionRef disc = maker.addFigures("Shelf", lying(31.0), round(94.0));
+    const SectionRef leg =
+        maker.addOn(disc, "Leg", facingFront(0.0), strongLeg(), {drop({68, 34})});
+    const SectionRef ring = maker.addFigures("Ring", lying(90.0), round(120.0), {round(76.0)});
+    maker.put(disc, {0, 0}, fullGlass());
+    const OperationId legs = maker.apply("rotational", "Legs", {}, {{"times", 4.0}});
+    maker.drive(legs, "times", "legs");
+    maker.driveFigure(disc, 0, "diameter", "diameter + 18 mm");
+    maker.driveFigure(ring, 0, "diameter", "diameter + 44 mm");
+    maker.driveFigure(ring, 1, "diameter", "diameter");
+    maker.drive(leg, "x", "diameter/2 + " + millimetres(maker.middleOf(leg).x() - 38.0));
+    maker.driveLoad("width", "diameter - 16 mm");
+    maker.write(folder, "glass_four_legs");
 }
 
 } // namespace fff::samples

@@ -1,9 +1,8 @@
-#include "core/base/units.h"
 #include "tests/tools/samples/contours.h"
 #include "tests/tools/samples/maker.h"
 #include "tests/tools/samples/samples.h"
 
-#include <cmath>
+#include <string>
 
 namespace fff::samples {
 
@@ -86,30 +85,6 @@ void organiser(const std::string &folder)
     row("Sides", "Side", -93.0, 186.0, front, {roundedRectangle({28, high - 16}, 34, 15, 7)});
     row("Dividers", "Divider", -31.0, 62.0, back, {});
     maker.write(folder, "organiser");
-}
-
-/// A shade of fins that two rings hold.
-void lamp(const std::string &folder)
-{
-    Maker maker(2.0);
-    constexpr int fins = 12;
-    for (int i = 0; i < fins; ++i) {
-        maker.add("Fin " + std::to_string(i + 1), radial(radians(360.0 * i / fins)),
-                  through({{{42, 0}, true},
-                           {{66, 0}, true},
-                           {{78, 40}},
-                           {{84, 84}},
-                           {{72, 132}},
-                           {{50, 168}},
-                           {{34, 176}, true},
-                           {{30, 160}},
-                           {{40, 124}},
-                           {{48, 84}},
-                           {{46, 40}}}));
-    }
-    maker.add("Lower ring", lying(34.0), ellipse({0, 0}, 62, 62), {ellipse({0, 0}, 36, 36)});
-    maker.add("Upper ring", lying(150.0), ellipse({0, 0}, 47, 47), {ellipse({0, 0}, 20, 20)});
-    maker.write(folder, "lamp");
 }
 
 /// A chair for a doll.

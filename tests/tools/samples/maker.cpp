@@ -1,10 +1,16 @@
 #include "tests/tools/samples/maker.h"
 
 #include "core/assembly/crossing.h"
+#include "core/base/units.h"
 #include "core/io/document_file.h"
+#include "core/model/bindings.h"
 #include "core/model/edits.h"
+#include "core/model/figures.h"
+#include "core/model/lettering.h"
 #include "core/model/load_edits.h"
+#include "core/model/marks.h"
 #include "core/model/operation_edits.h"
+#include "core/operations/driven.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
 
@@ -23,8 +29,8 @@ namespace {
     std::exit(1);
 }
 
-template <class T>
-T taken(Result<T> result, const std::string &what)
+template <class T, class E>
+T taken(tl::expected<T, E> result, const std::string &what)
 {
     if (!result)
         fail(what);
@@ -153,6 +159,96 @@ void Maker::put(const SectionRef &section, const Vec2 &position, Load weight)
     m_document = taken(addLoad(std::move(m_document), weight), "a weight");
 }
 
+SectionRef Maker::addFigures(const std::string &name, const Frame &frame, const Figure &contour,
+                             const std::vector<Figure> &holes)
+{
+    std::vector<Contour> made;
+    for (const Figure &hole : holes)
+        made.push_back(taken(contourOf(hole), name));
+    const SectionRef section = add(name, frame, taken(contourOf(contour), name), std::move(made));
+    m_document = taken(addFigure(std::move(m_document), section.drawn, contour), name);
+    for (const Figure &hole : holes)
+        m_document = taken(addFigure(std::move(m_document), section.drawn, hole), name);
+    return section;
+}
+
+void Maker::write(const SectionRef &section, const Lettering &words)
+{
+    MarkPointer mark = taken(letteredMark(words, Mark::Kind::Engraved), words.text);
+    m_document = taken(addMark(std::move(m_document), section.drawn, std::move(mark)), words.text);
+}
+
+void Maker::show(const Adjustable &value)
+{
+    Value shown;
+    shown.name = value.name;
+    shown.kind = value.kind;
+    shown.typed = value.typed;
+    shown.note = value.note;
+    shown.isShown = true;
+    if (value.kind != ValueKind::Text) {
+        const double unit = value.kind == ValueKind::Angle ? radians(1.0) : 1.0;
+        shown.range = {unit * value.least, unit * value.most, unit * value.step};
+    }
+    m_document = taken(addValue(std::move(m_document), std::move(shown)), value.name);
+}
+
+void Maker::derive(const std::string &name, ValueKind kind, const std::string &typed,
+                   const std::string &note)
+{
+    Value value;
+    value.name = name;
+    value.kind = kind;
+    value.typed = typed;
+    value.note = note;
+    m_document = taken(addValue(std::move(m_document), std::move(value)), name);
+}
+
+void Maker::drive(const SectionRef &section, const std::string &field, const std::string &typed)
+{
+    driveAt("section/" + std::to_string(section.drawn.value) + '/' + field, typed);
+}
+
+void Maker::drive(OperationId operation, const std::string &key, const std::string &typed)
+{
+    driveAt("operation/" + std::to_string(operation.value) + '/' + key, typed);
+}
+
+void Maker::driveFigure(const SectionRef &section, int boundary, const std::string &number,
+                        const std::string &typed)
+{
+    driveAt("figure/" + std::to_string(section.drawn.value) + '/' + std::to_string(boundary) + '/' +
+                number,
+            typed);
+}
+
+void Maker::driveWords(const SectionRef &section, int mark, const std::string &field,
+                       const std::string &typed)
+{
+    driveAt("lettering/" + std::to_string(section.drawn.value) + '/' + std::to_string(mark) + '/' +
+                field,
+            typed);
+}
+
+void Maker::driveLoad(const std::string &field, const std::string &typed)
+{
+    driveAt("load/" + std::to_string(m_document.loads.back().id.value) + '/' + field, typed);
+}
+
+void Maker::driveAt(const std::string &key, const std::string &typed)
+{
+    const std::optional<DrivenPlace> place = placeOfKey(m_document, key);
+    if (!place)
+        fail(key);
+    m_document = taken(bound(std::move(m_document), *place, typed), key + " = " + typed);
+}
+
+Vec3 Maker::middleOf(const SectionRef &section) const
+{
+    const Section &drawn = *m_document.find(section.drawn);
+    return drawn.frame.toWorld(drawn.shape->bounds().center());
+}
+
 std::vector<SectionPointer> Maker::sections() const
 {
     return evaluate(m_document).sections();
@@ -166,6 +262,13 @@ void Maker::write(const std::string &folder, const std::string &name) const
     // A contour that crosses itself would be mended each time that the file is opened.
     if (const auto loaded = io::readDocument(path); !loaded || !loaded->warnings.empty())
         fail("a sound " + name);
+}
+
+std::string millimetres(double length)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g mm", std::round(1000.0 * length) / 1000.0);
+    return text;
 }
 
 Frame facingFront(double z)

@@ -2,7 +2,9 @@
 // operation. The program ends at the first mistake, since nobody waits for it.
 #pragma once
 
+#include "core/geometry/figure.h"
 #include "core/model/document.h"
+#include "core/model/mark.h"
 
 #include <map>
 #include <string>
@@ -12,6 +14,17 @@ namespace fff::samples {
 
 using Inputs = std::map<std::string, std::vector<SectionRef>>; // by role
 using Values = std::map<std::string, ParameterValue>;          // by key, numbers as in the file
+
+/// What whoever adjusts a sample sees: a slider, a counter or a text. Numbers as they are typed,
+/// mm, degrees or plain.
+struct Adjustable
+{
+    std::string name;
+    ValueKind kind = ValueKind::Length;
+    std::string typed;
+    double least = 0.0, most = 0.0, step = 1.0; // of numbers
+    std::string note = {};
+};
 
 class Maker
 {
@@ -26,6 +39,11 @@ public:
     /// The same, as if drawn on `parent`: the slit there is the longest stretch in which they meet.
     SectionRef addOn(const SectionRef &parent, const std::string &name, const Frame &frame,
                      Contour contour, std::vector<Contour> holes = {});
+    /// A boundary that stays a shape by numbers: 0 is the contour.
+    SectionRef addFigures(const std::string &name, const Frame &frame, const Figure &contour,
+                          const std::vector<Figure> &holes = {});
+    /// Words on a section, which are its mark of that number from 0 on.
+    void write(const SectionRef &section, const Lettering &words);
     OperationId apply(const std::string &kind, const std::string &name, const Inputs &inputs,
                       const Values &values = {});
     /// One of its sections is not made.
@@ -36,13 +54,35 @@ public:
     /// Of the weight what is not its place.
     void put(const SectionRef &section, const Vec2 &position, Load weight);
 
+    void show(const Adjustable &value);
+    /// A value of others, with a note on what it is; nobody is asked for it.
+    void derive(const std::string &name, ValueKind kind, const std::string &typed,
+                const std::string &note);
+    /// The number of a section, an operation, … follows an expression: width, height, angle, x, y
+    /// and z of a section are those of the box of its contour.
+    void drive(const SectionRef &section, const std::string &field, const std::string &typed);
+    void drive(OperationId operation, const std::string &key, const std::string &typed);
+    void driveFigure(const SectionRef &section, int boundary, const std::string &number,
+                     const std::string &typed);
+    void driveWords(const SectionRef &section, int mark, const std::string &field,
+                    const std::string &typed);
+    /// Of the load that was put last.
+    void driveLoad(const std::string &field, const std::string &typed);
+
+    /// The middle of the box of a drawn section's contour, in the world, as `drive` means it.
+    Vec3 middleOf(const SectionRef &section) const;
     /// All that is there by now, drawn or made.
     std::vector<SectionPointer> sections() const;
     void write(const std::string &folder, const std::string &name) const;
 
 private:
+    void driveAt(const std::string &place, const std::string &typed);
+
     Document m_document;
 };
+
+/// As it is typed into an expression, to 0.001 mm: "12.5 mm".
+std::string millimetres(double length);
 
 // Planes. In the upright ones, local coordinates are across and up.
 Frame facingFront(double z);

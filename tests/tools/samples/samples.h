@@ -13,6 +13,11 @@ void glassHolder(const std::string &folder);
 void organiser(const std::string &folder);
 void lamp(const std::string &folder);
 
+// With values that whoever opens them adjusts (tests/core/session/tst_adjustable_samples).
+void shelf(const std::string &folder);
+void drawerOrganiser(const std::string &folder);
+void namePlate(const std::string &folder);
+
 // After figures of J. McCrae et al. 2014, FlatFitFab: each shows an operation at work.
 void bonyFish(const std::string &folder);
 void bridge(const std::string &folder);

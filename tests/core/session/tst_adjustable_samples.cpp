@@ -1,0 +1,198 @@
+// Samples with values: whoever moves a slider of one gets a model that can be cut, at any place.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/analysis/value_trials.h"
+#include "core/io/document_file.h"
+#include "core/operations/evaluate.h"
+#include "core/session/message_text.h"
+#include "tests/test_program.h"
+
+#include <QDir>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace fff;
+
+namespace {
+
+/// Of what is drawn, after a slider went elsewhere and back, mm.
+constexpr double kSameDrawing = 1e-6;
+
+struct AdjustableSample
+{
+    std::string name;
+    Model model;
+    std::vector<RangedValue> values;
+};
+
+std::vector<AdjustableSample> readSamples()
+{
+    std::vector<AdjustableSample> all;
+    const QDir folder(QStringLiteral(FFF_SAMPLES), QStringLiteral("*.fff"));
+    for (const QFileInfo &file : folder.entryInfoList()) {
+        const auto read = io::readDocument(file.filePath());
+        if (!read)
+            continue; // tst_samples tells
+        AdjustableSample sample{
+            file.completeBaseName().toStdString(), evaluate(read->document), {}};
+        sample.values = rangedValues(sample.model);
+        if (!sample.values.empty())
+            all.push_back(std::move(sample));
+    }
+    return all;
+}
+
+const std::vector<AdjustableSample> &adjustableSamples()
+{
+    static const std::vector<AdjustableSample> kSamples = readSamples();
+    return kSamples;
+}
+
+TrialPlace placeNow(const AdjustableSample &sample)
+{
+    TrialPlace place;
+    for (const RangedValue &value : sample.values)
+        place.push_back(value.now(sample.model));
+    return place;
+}
+
+double farthest(const Contour &a, const Contour &b)
+{
+    if (a.points().size() != b.points().size())
+        return std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (std::size_t i = 0; i < a.points().size(); ++i)
+        most = std::max(most, (a.points()[i] - b.points()[i]).norm());
+    return most;
+}
+
+/// By how much at most what one has is elsewhere in the other, mm; infinite where one has more.
+double farthest(const Model &a, const Model &b)
+{
+    const std::vector<SectionPointer> first = a.sections(), second = b.sections();
+    double most = first.size() == second.size() ? 0.0 : std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
+        const Section &one = *first[i], &other = *second[i];
+        most = std::max({most, farthest(one.shape->contour(), other.shape->contour()),
+                         (one.frame.origin - other.frame.origin).norm(),
+                         100.0 * (one.frame.x - other.frame.x).norm(),
+                         100.0 * (one.frame.y - other.frame.y).norm()});
+        if (one.shape->holes().size() != other.shape->holes().size())
+            return std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < one.shape->holes().size(); ++k)
+            most = std::max(most, farthest(one.shape->holes()[k], other.shape->holes()[k]));
+    }
+    return most;
+}
+
+QByteArray toldOf(const AdjustableSample &sample, double apart)
+{
+    return QByteArray::fromStdString(sample.name) + ": " + QByteArray::number(apart) + " mm";
+}
+
+QByteArray said(const AdjustableSample &sample, const TriedPlace &place)
+{
+    QString text = QString::fromStdString(sample.name);
+    for (const auto &[name, worth] : worthsAt(sample.values, place.at))
+        text += QStringLiteral(" %1=%2").arg(QString::fromStdString(name)).arg(worth.number);
+    for (const Message &fault : place.faults)
+        text += QStringLiteral(": ") + messageText(fault);
+    return text.toUtf8();
+}
+
+} // namespace
+
+class TestAdjustableSamples : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thereAreSix();
+    void eachValueCanBeSetToWhatItIs();
+    void allPlacesOfTheRangesAreGood();
+    void aSliderLeavesNoTrace();
+    void allWaysLeadToTheSamePlace();
+};
+
+// Wrong: what the help and the start page promise is not there.
+void TestAdjustableSamples::thereAreSix()
+{
+    const std::vector<AdjustableSample> &all = adjustableSamples();
+    for (const char *name :
+         {"drawer_organiser", "gears", "glass_four_legs", "lamp", "name_plate", "shelf"})
+        QVERIFY2(std::any_of(all.begin(), all.end(),
+                             [name](const AdjustableSample &one) { return one.name == name; }),
+                 name);
+}
+
+// Wrong: a slider that jumps as it is touched, or one that moves nothing.
+void TestAdjustableSamples::eachValueCanBeSetToWhatItIs()
+{
+    for (const AdjustableSample &sample : adjustableSamples()) {
+        std::size_t numbers = 0;
+        for (const ValuePointer &known : sample.model.document.values.list)
+            numbers += known->value.isShown && known->value.kind != ValueKind::Text ? 1 : 0;
+        QCOMPARE(sample.values.size(), numbers);
+        for (const RangedValue &value : sample.values) {
+            const double now = value.now(sample.model);
+            QVERIFY2(std::abs(value.settable(now) - now) < 1e-9, value.name.c_str());
+            QVERIFY2(value.least < value.most, value.name.c_str());
+        }
+    }
+}
+
+void TestAdjustableSamples::allPlacesOfTheRangesAreGood()
+{
+    for (const AdjustableSample &sample : adjustableSamples()) {
+        Progress progress;
+        const TrialExtent extent{.seed = 29, .mostCorners = 32, .random = 12};
+        const auto trials = tryValues(sample.model, {}, extent, progress, {});
+        QVERIFY(trials);
+        for (const TriedPlace &place : trials->places) {
+            QVERIFY2(place.holds(), said(sample, place));
+            for (const Severity worst : place.worst)
+                QVERIFY2(worst < Severity::Warning, said(sample, place));
+        }
+    }
+}
+
+// Wrong: a model that is another one after a slider went to both ends and back.
+void TestAdjustableSamples::aSliderLeavesNoTrace()
+{
+    for (const AdjustableSample &sample : adjustableSamples()) {
+        const TrialPlace now = placeNow(sample);
+        Document document = sample.model.document;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            for (const double at : {sample.values[i].least, sample.values[i].most, now[i]}) {
+                TrialPlace place = now;
+                place[i] = at;
+                document = placed(document, sample.values, place).value();
+            }
+        }
+        QCOMPARE(document.bindings.size(), sample.model.document.bindings.size());
+        const double moved = farthest(evaluate(document), sample.model);
+        QVERIFY2(moved < kSameDrawing, toldOf(sample, moved));
+    }
+}
+
+// Wrong: sizes that depend on which slider was moved first.
+void TestAdjustableSamples::allWaysLeadToTheSamePlace()
+{
+    for (const AdjustableSample &sample : adjustableSamples()) {
+        const TrialPlaces places = trialPlaces(sample.values, {.seed = 5, .random = 6});
+        Document document = sample.model.document;
+        for (const TrialPlace &place : places.all) {
+            document = placed(document, sample.values, place).value();
+            const Document direct = placed(sample.model.document, sample.values, place).value();
+            const double apart = farthest(evaluate(document), evaluate(direct));
+            QVERIFY2(apart < kSameDrawing, toldOf(sample, apart));
+        }
+    }
+}
+
+FFF_TEST(TestAdjustableSamples)
+#include "tst_adjustable_samples.moc"
