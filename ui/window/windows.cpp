@@ -1,6 +1,8 @@
 #include "ui/window/windows.h"
 
+#include "core/interaction/value_editing.h"
 #include "core/io/document_file.h"
+#include "ui/bench/workbench.h"
 #include "ui/files/document_files.h"
 #include "ui/window/main_window.h"
 
@@ -80,6 +82,9 @@ int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
         MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
         window->files().show(*loaded, path, asCopy);
         window->showDocument();
+        // A sample with values is there to be adjusted.
+        if (asCopy && hasShownValue(loaded->document.values))
+            window->bench().run(QStringLiteral("view.values"));
         ++count;
     }
     return count;

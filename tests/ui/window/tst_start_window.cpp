@@ -8,6 +8,7 @@
 #include "ui/cards/thumbnails.h"
 #include "ui/dialogs/help_window.h"
 #include "ui/window/main_window.h"
+#include "ui/window/windows.h"
 
 #include <QDockWidget>
 #include <QFile>
@@ -19,6 +20,7 @@
 #include <QToolBar>
 
 #include <algorithm>
+#include <utility>
 
 using namespace fff;
 using namespace fff::ui;
@@ -60,6 +62,22 @@ private Q_SLOTS:
         QCOMPARE(shownDocks(window), 0);
         window.bench().run(QStringLiteral("view.docks"));
         QCOMPARE(shownDocks(window), docks);
+    }
+
+    /// Wrong: whoever opens a shelf to adjust it has to look for its sliders.
+    void whatCanBeAdjustedShowsItsValues()
+    {
+        for (const auto &[sample, isAdjusted] :
+             {std::pair{QStringLiteral("fish"), false}, {QStringLiteral("shelf"), true}}) {
+            MainWindow window;
+            window.resize(1440, 900);
+            window.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&window));
+            QCOMPARE(openFiles(window, {QStringLiteral(":/samples/%1.fff").arg(sample)}, true), 1);
+            const auto *values = window.findChild<QDockWidget *>(QStringLiteral("valuesDock"));
+            QVERIFY(values);
+            QCOMPARE(values->isVisible(), isAdjusted);
+        }
     }
 
     /// Docks that were put back before the window is shown do not come up beside the page.
