@@ -3,6 +3,7 @@
 
 #include "core/analysis/value_trials.h"
 #include "core/io/document_file.h"
+#include "core/model/bindings.h"
 #include "core/operations/evaluate.h"
 #include "core/session/message_text.h"
 #include "tests/test_program.h"
@@ -116,6 +117,7 @@ private Q_SLOTS:
     void allPlacesOfTheRangesAreGood();
     void aSliderLeavesNoTrace();
     void allWaysLeadToTheSamePlace();
+    void anyNameFitsItsPlate();
 };
 
 // Wrong: what the help and the start page promise is not there.
@@ -192,6 +194,36 @@ void TestAdjustableSamples::allWaysLeadToTheSamePlace()
             QVERIFY2(apart < kSameDrawing, toldOf(sample, apart));
         }
     }
+}
+
+// Wrong: a name that runs over the edge, or a plate that no sheet has room for.
+void TestAdjustableSamples::anyNameFitsItsPlate()
+{
+    const std::vector<AdjustableSample> &all = adjustableSamples();
+    const auto plate = std::find_if(all.begin(), all.end(), [](const AdjustableSample &one) {
+        return one.name == "name_plate";
+    });
+    QVERIFY(plate != all.end());
+    const Document &document = plate->model.document;
+    for (const char *letters : {"12 mm", "30 mm"})
+        for (const std::string &name :
+             {std::string("I"), std::string("Bo"), std::string("Œuvre & Größe"),
+              std::string("Grace Murray Hopper"), std::string(80, 'n')}) {
+            const Document sized =
+                typeValue(document, document.values.find("letters")->id, letters, {}).value();
+            const Model model =
+                evaluate(typeValue(sized, document.values.find("name")->id, name, {}).value());
+            const Section &shield = *model.section(0);
+            QCOMPARE(shield.marks.size(), std::size_t(1));
+            QVERIFY(shield.marks[0]->lettering);
+            QCOMPARE(shield.marks[0]->lettering->text, name);
+            const Box2 &room = shield.shape->bounds();
+            QVERIFY2(room.size().x() < 588.0, name.c_str());
+            for (const CurvePath &path : shield.marks[0]->paths)
+                for (const Vec2 &p : path.points())
+                    QVERIFY2((p - room.min).minCoeff() > 3.0 && (room.max - p).minCoeff() > 3.0,
+                             name.c_str());
+        }
 }
 
 FFF_TEST(TestAdjustableSamples)

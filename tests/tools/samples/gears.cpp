@@ -46,10 +46,8 @@ void deriveTrain(Maker &maker)
                  "How much lower the pinion is, seen from the wheel");
     maker.derive("along", Length, "distance*cos(tilt)", "From axis to axis, level");
     maker.derive("axis_x", Length, "-(along + pinion_radius - radius)/2", "Of the wheel");
-    maker.derive("pinion_x", Length, "axis_x + along", "Of the pinion");
     // A tooth of the pinion points down, so that its two cradles stand alike. The wheel turns back
     // by as much as the pinion is turned from where one of its gaps is on the line of the axes.
-    maker.derive("pinion_phase", Angle, "270°", "Where a tooth of the pinion is");
     maker.derive("turn", Angle, "90° + tilt - 180°/pinion",
                  "Of the pinion, from a gap to the wheel");
     maker.derive("rest", Angle, "turn - round(turn/(360°/pinion))*360°/pinion",
@@ -58,17 +56,19 @@ void deriveTrain(Maker &maker)
                  "Where a tooth of the wheel is");
 }
 
-/// Where a cradle stands: below the gap to that side of the lowest place of a wheel.
-void driveCradle(Maker &maker, const SectionRef &cradle, bool isPinion, const char *side)
+/// Below the gap to that side (−1, 1) of the lowest place of the wheel.
+std::string belowWheel(int side)
 {
-    const std::string of = isPinion ? "pinion_" : "", teeth = isPinion ? "pinion" : "teeth",
-                      axis = isPinion ? "pinion_x" : "axis_x", sector = "(360°/" + teeth + ")";
-    const std::string gaps = "floor((270° - " + of + "phase)/" + sector + side + ") + 0.5";
-    maker.drive(cradle, "x",
-                axis + " + (" + of + "root + 0.3*module)*cos(" + of + "phase + (" + gaps + ")*" +
-                    sector + ")");
-    maker.drive(cradle, "height", "cradle");
-    maker.drive(cradle, "y", "cradle/2");
+    const std::string gaps = "(floor((270° - phase)*teeth/360°" +
+                             std::string(side < 0 ? " - 0.5" : " + 0.5") + ") + 0.5)";
+    return "axis_x + (root + 0.3*module)*cos(phase + " + gaps + "*360°/teeth)";
+}
+
+/// Likewise of the pinion, whose lowest tooth points down.
+std::string belowPinion(int side)
+{
+    return std::string("axis_x + along ") + (side < 0 ? "-" : "+") +
+           " (pinion_root + 0.3*module)*sin(180°/pinion)";
 }
 
 } // namespace
@@ -81,7 +81,7 @@ void gears(const std::string &folder)
                 .least = 3.5,
                 .most = 5.5,
                 .step = 0.1,
-                .note = "Diameter a tooth: the size of the teeth"});
+                .note = "Size of the teeth: the diameter over their number"});
     maker.show({.name = "teeth",
                 .kind = ValueKind::Count,
                 .typed = "22",
@@ -98,20 +98,21 @@ void gears(const std::string &folder)
 
     const SectionRef large = maker.addFigures("Wheel", facingFront(0.0), wheel(60.0)),
                      small = maker.addFigures("Pinion", facingFront(0.0), wheel(40.0));
-    for (const auto &[disc, of] : {std::pair{large, std::string("axis")}, {small, "pinion"}}) {
-        maker.drive(disc, "x", of + "_x");
-        maker.drive(disc, "y", of + "_y");
-    }
+    maker.drive(large, "x", "axis_x");
+    maker.drive(large, "y", "axis_y");
+    maker.drive(small, "x", "axis_x + along");
+    maker.drive(small, "y", "pinion_y");
     maker.driveFigure(large, 0, "diameter", "2*radius");
     maker.driveFigure(small, 0, "diameter", "2*pinion_radius");
 
     int number = 0;
-    for (const bool isPinion : {false, true}) {
-        for (const char *side : {" - 0.5", " + 0.5"}) {
-            const std::string name = "Cradle " + std::to_string(++number);
-            driveCradle(maker, maker.add(name, facingRight(20.0 * number), cradle()), isPinion,
-                        side);
-        }
+    for (const std::string &x : {belowWheel(-1), belowWheel(1), belowPinion(-1), belowPinion(1)}) {
+        ++number;
+        const SectionRef one =
+            maker.add("Cradle " + std::to_string(number), facingRight(20.0 * number), cradle());
+        maker.drive(one, "x", x);
+        maker.drive(one, "height", "cradle");
+        maker.drive(one, "y", "cradle/2");
     }
     const SectionRef front = maker.add("Sill", facingFront(17.0), sill());
     maker.drive(front, "width", "along + radius + pinion_radius");
@@ -136,13 +137,15 @@ void gears(const std::string &folder)
                                           {"applyTo", "holes"}});
     maker.drive(star, "outerRadius", "0.22*radius");
     maker.drive(star, "innerRadius", "0.13*radius");
-    const OperationId pinionTeeth = maker.apply(
-        "radial", "Pinion teeth", {{"section", {small}}},
-        {{"kind", "gear"}, {"outerRadius", 40.0}, {"innerRadius", 29.0}, {"tooth", "trapezium"}});
+    const OperationId pinionTeeth = maker.apply("radial", "Pinion teeth", {{"section", {small}}},
+                                                {{"kind", "gear"},
+                                                 {"outerRadius", 40.0},
+                                                 {"innerRadius", 29.0},
+                                                 {"tooth", "trapezium"},
+                                                 {"phase", radians(270.0)}});
     maker.drive(pinionTeeth, "sectors", "pinion");
     maker.drive(pinionTeeth, "outerRadius", "pinion_radius");
     maker.drive(pinionTeeth, "innerRadius", "pinion_root");
-    maker.drive(pinionTeeth, "phase", "pinion_phase");
     const OperationId sun = maker.apply("radial", "Sun", {{"section", {small}}},
                                         {{"kind", "star"},
                                          {"sectors", 10.0},

@@ -35,17 +35,17 @@ void namePlate(const std::string &folder)
 {
     Maker maker(3.0);
     maker.show({.name = "name", .kind = ValueKind::Text, .typed = "Ada Lovelace"});
-    maker.show({.name = "size",
+    maker.show({.name = "letters",
                 .typed = "18 mm",
                 .least = 12,
                 .most = 30,
                 .step = 1,
-                .note = "Height of its capitals; a long name has to be smaller"});
+                .note = "Height of the capitals; a long name has to be smaller"});
     maker.derive("widths", ValueKind::Ratio, "0.76*len(name) + 2.4",
                  "How wide the plate is, in heights of a capital");
-    maker.derive("letters", ValueKind::Length, "min(size; 560 mm/widths)",
+    maker.derive("capital", ValueKind::Length, "min(letters; 560 mm/widths)",
                  "What the sheet has room for");
-    maker.derive("plate", ValueKind::Length, "max(80 mm; widths*letters)", "Its width");
+    maker.derive("plate", ValueKind::Length, "max(80 mm; widths*capital)", "Its width");
 
     const SectionRef shield = maker.add("Name plate", facingFront(0.0), nameShield());
     maker.write(shield, {.text = "Ada Lovelace", .height = 18.0, .at = {0.0, 34.0}});
@@ -54,12 +54,12 @@ void namePlate(const std::string &folder)
                 {{"plane", "x"}, {"what", "selection"}});
 
     maker.driveWords(shield, 0, "text", "{name}");
-    maker.driveWords(shield, 0, "height", "letters");
+    maker.driveWords(shield, 0, "height", "capital");
     maker.drive(shield, "width", "plate");
-    maker.drive(shield, "height", "20 mm + 1.9*letters");
-    maker.drive(shield, "y", "15 mm + 0.95*letters");
+    maker.drive(shield, "height", "20 mm + 1.9*capital");
+    maker.drive(shield, "y", "15 mm + 0.95*capital");
     maker.drive(foot, "x", "-0.36*plate");
-    maker.drive(foot, "width", "40 mm + letters");
+    maker.drive(foot, "width", "40 mm + capital");
     maker.write(folder, "name_plate");
 }
 

@@ -111,6 +111,8 @@ void shelf(const std::string &folder)
         maker.apply("array", "Boards", {{"sections", {board}}},
                     {{"count", 3.0}, {"x", 0.0}, {"y", 0.69 * kShelfHeight / 2.0}, {"z", 0.0}});
 
+    // No jar is higher than what is above it.
+    maker.driveLoad("height", "min(35 mm; 0.28*height/(boards - 1))");
     maker.drive(side, "width", "depth");
     maker.drive(side, "height", "height");
     maker.drive(side, "x", "22 mm - width/2");
