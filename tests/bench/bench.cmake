@@ -1,5 +1,6 @@
 # flatfitfab-bench: not a test, so that nothing hangs on a clock; README.md here says how to run it.
 add_executable(flatfitfab-bench
+    ${CMAKE_CURRENT_LIST_DIR}/adjust_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bench_main.cpp
     ${CMAKE_CURRENT_LIST_DIR}/counted_memory.cpp
     ${CMAKE_CURRENT_LIST_DIR}/drawing_growth.cpp

@@ -1,6 +1,7 @@
 // flatfitfab-bench: what loading, slits, parts, cutting file, an edit and its undo cost.
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "tests/bench/adjust_cost.h"
 #include "tests/bench/drawing_growth.h"
 #include "tests/bench/generated_models.h"
 #include "tests/bench/kernel.h"
@@ -169,8 +170,9 @@ int main(int argc, char **argv)
                                      "instead."),
                       QStringLiteral("S,…")});
     parser.addOption({QStringLiteral("values"),
-                      QStringLiteral("What values that are made of each other cost, instead; of "
-                                     "the runs the shortest.")});
+                      QStringLiteral("What values that are made of each other cost, of the runs "
+                                     "the shortest, and moves of the sliders of the folders' "
+                                     "models, instead.")});
     parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
                                  QStringLiteral("[FOLDER…]"));
     parser.process(application);
@@ -206,7 +208,11 @@ int main(int argc, char **argv)
         return 0;
     }
     if (parser.isSet(QStringLiteral("values"))) {
-        QTextStream(stdout) << QString::fromStdString(valueTable(valueCosts(runs, kernel)));
+        const auto adjusted = adjustCosts(parser.positionalArguments(), kernel);
+        if (!adjusted)
+            return fail(io::errorText(adjusted.error()));
+        QTextStream(stdout) << QString::fromStdString(valueTable(valueCosts(runs, kernel)))
+                            << QString::fromStdString(adjustTable(*adjusted));
         return 0;
     }
     std::optional<Peer> peer;
