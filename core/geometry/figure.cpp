@@ -242,7 +242,10 @@ Figure sized(Figure figure, const Vec2 &size)
     return figure;
 }
 
-Result<Contour> contourOf(const Figure &figure)
+namespace {
+
+/// As Contour::fromPoints() wants them. Errors  those of contourOf() but its own.
+Result<std::vector<Vec2>> figurePoints(const Figure &figure)
 {
     const FigureKind *kind = figureKind(figure.kind);
     if (!kind)
@@ -259,21 +262,30 @@ Result<Contour> contourOf(const Figure &figure)
     std::vector<Vec2> points = made.points();
     for (Vec2 &p : points)
         p = figure.centre + (figure.turn == 0.0 ? p : Vec2(turn * p));
-    return Contour::fromPoints(std::move(points));
+    return points;
+}
+
+} // namespace
+
+Result<Contour> contourOf(const Figure &figure)
+{
+    Result<std::vector<Vec2>> points = figurePoints(figure);
+    return points ? Contour::fromPoints(*std::move(points)) : tl::unexpected(points.error());
 }
 
 bool isOf(const Contour &contour, const Figure &figure)
 {
-    const Result<Contour> made = contourOf(figure);
-    if (!made || made->points().size() != contour.points().size())
+    // Points are compared, and no contour is made, which may fail: what is a figure stays one.
+    const Result<std::vector<Vec2>> points = figurePoints(figure);
+    if (!points || points->size() != contour.points().size())
         return false;
-    const auto isSame = [&contour](const Contour &other) {
-        for (std::size_t i = 0; i < other.points().size(); ++i)
-            if ((other.points()[i] - contour.points()[i]).norm() > kSameFigure)
+    const auto isSame = [&points](const Contour &other) {
+        for (std::size_t i = 0; i < points->size(); ++i)
+            if (!((other.points()[i] - (*points)[i]).norm() <= kSameFigure))
                 return false;
         return true;
     };
-    return isSame(*made) || isSame(made->reversed());
+    return isSame(contour) || isSame(contour.reversed());
 }
 
 std::optional<Figure> mapped(const Figure &figure, const Eigen::Matrix2d &matrix, const Vec2 &about)
