@@ -95,7 +95,7 @@ QByteArray toldOf(const AdjustableSample &sample, double apart)
     return QByteArray::fromStdString(sample.name) + ": " + QByteArray::number(apart) + " mm";
 }
 
-QByteArray said(const AdjustableSample &sample, const TriedPlace &place)
+QByteArray saidOf(const AdjustableSample &sample, const TriedPlace &place)
 {
     QString text = QString::fromStdString(sample.name);
     for (const auto &[name, worth] : worthsAt(sample.values, place.at))
@@ -155,9 +155,9 @@ void TestAdjustableSamples::allPlacesOfTheRangesAreGood()
         const auto trials = tryValues(sample.model, {}, extent, progress, {});
         QVERIFY(trials);
         for (const TriedPlace &place : trials->places) {
-            QVERIFY2(place.holds(), said(sample, place));
+            QVERIFY2(place.holds(), saidOf(sample, place));
             for (const Severity worst : place.worst)
-                QVERIFY2(worst < Severity::Warning, said(sample, place));
+                QVERIFY2(worst < Severity::Warning, saidOf(sample, place));
         }
     }
 }
