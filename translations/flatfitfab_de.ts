@@ -927,10 +927,6 @@
         <translation>Auf den Boden anheben</translation>
     </message>
     <message>
-        <source>Barely stands: the slightest push tips it over. Tips past %1, margin %2.</source>
-        <translation>Steht kaum: Der kleinste Stoß wirft es um. Kippt über %1, Abstand %2.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Dem Modell noch einen Fuß geben oder Gewicht über die vorhandenen rücken.</translation>
     </message>
@@ -1391,10 +1387,6 @@
         <translation>Steht schief</translation>
     </message>
     <message>
-        <source>Let its feet end on one plane.</source>
-        <translation>Lass seine Füße auf einer Ebene enden.</translation>
-    </message>
-    <message>
         <source>Carries nothing. The joint of %1 and %2 is pulled apart by %3 N; the others hold without it.</source>
         <translation>Trägt nichts. Die Verbindung von %1 und %2 wird mit %3 N auseinandergezogen; die anderen halten ohne sie.</translation>
     </message>
@@ -1459,6 +1451,14 @@
     <message>
         <source>Rocks</source>
         <translation>Wackelt</translation>
+    </message>
+    <message>
+        <source>Barely stands: tilted by %1 it tips over. Margin %2.</source>
+        <translation>Steht kaum: Um %1 geneigt kippt es um. Spielraum %2.</translation>
+    </message>
+    <message>
+        <source>Make all its feet end at the same height.</source>
+        <translation>Lass alle Füße auf gleicher Höhe enden.</translation>
     </message>
 </context>
 <context>
@@ -5441,10 +5441,6 @@
         <translation>B: Linien gerade machen</translation>
     </message>
     <message>
-        <source>Turning to the new plane; wait until it stops, or draw on at once.</source>
-        <translation>Die Ansicht dreht sich zur neuen Ebene; warten, bis sie steht, oder gleich weiterzeichnen.</translation>
-    </message>
-    <message>
         <source>Nothing drawn: a line of less than %1 is taken for a slip of the hand, unless it closes a loop.</source>
         <extracomment>%1 is a length</extracomment>
         <translation>Nichts gezeichnet: Eine Linie von weniger als %1 gilt als Ausrutscher, wenn sie keine Schleife schließt.</translation>
@@ -5942,6 +5938,10 @@
     <message>
         <source>Drag to turn the view; the wheel zooms.</source>
         <translation>Ziehen dreht die Ansicht, das Rad zoomt.</translation>
+    </message>
+    <message>
+        <source>The view is turning: draw on at once, or wait until it stops.</source>
+        <translation>Die Ansicht dreht sich: Zeichne gleich weiter oder warte, bis sie stillsteht.</translation>
     </message>
 </context>
 <context>
@@ -14731,10 +14731,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Zeichnet flache Teile in 3D und schneidet sie.</translation>
     </message>
     <message>
-        <source>The models to open, each in a window.</source>
-        <translation>Die Modelle, die geöffnet werden, jedes in einem Fenster.</translation>
-    </message>
-    <message>
         <source>Opens FILE as a copy: saving asks for a name.</source>
         <translation>Öffnet FILE als Kopie: Speichern fragt nach einem Namen.</translation>
     </message>
@@ -14749,6 +14745,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Starts without what was set, and keeps no settings.</source>
         <translation>Startet ohne das, was eingestellt wurde, und behält keine Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Models to open, each in a window; drawings, meshes and pictures to add to a new one.</source>
+        <translation>Modelle zum Öffnen, jedes in einem Fenster; Zeichnungen, Netze und Bilder für ein neues.</translation>
     </message>
 </context>
 </TS>
