@@ -1145,11 +1145,11 @@
     <message>
         <source>Would stand %1. It would tip only past %2. Margin %3.</source>
         <extracomment>%1 is such as &quot;if it did not fold&quot;; %2 an angle, %3 a length</extracomment>
-        <translation>Stünde, %1. Es kippte erst ab %2. Reserve %3.</translation>
+        <translation>Würde stehen, %1. Würde erst ab %2 kippen. Reserve %3.</translation>
     </message>
     <message>
         <source>Would stand</source>
-        <translation>Stünde</translation>
+        <translation>Würde stehen</translation>
     </message>
     <message>
         <source>Slides away. Its feet do not hold it against what pushes it: push less, or give it more weight.</source>
@@ -1454,7 +1454,7 @@
     </message>
     <message>
         <source>Barely stands: tilted by %1 it tips over. Margin %2.</source>
-        <translation>Steht kaum: Um %1 geneigt kippt es um. Spielraum %2.</translation>
+        <translation>Steht kaum: um %1 geneigt kippt es um. Reserve %2.</translation>
     </message>
     <message>
         <source>Make all its feet end at the same height.</source>
@@ -8647,7 +8647,7 @@
     <message>
         <source>Would stand %1.</source>
         <extracomment>%1 is such as &quot;if it held together&quot;</extracomment>
-        <translation>Stünde, %1.</translation>
+        <translation>Würde stehen, %1.</translation>
     </message>
     <message>
         <source>--%1: found &quot;%2&quot;, expected %3.</source>
