@@ -1460,6 +1460,10 @@
         <source>Make all its feet end at the same height.</source>
         <translation>Lass alle Füße auf gleicher Höhe enden.</translation>
     </message>
+    <message>
+        <source>Move one of them aside, or let it end before the other.</source>
+        <translation>Rücke eine von ihnen beiseite oder lass sie vor der anderen enden.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -114,13 +114,23 @@ std::map<std::pair<int, int>, const Interpenetration *> deepestOf(const ModelPla
     return deepest;
 }
 
+constexpr Text kMakeRoom =
+    FFF_TEXT("Checks", "Move one of them aside, or let it end before the other.");
+
 } // namespace
 
-const FindingKind kNoSlit{"interference", Subject::Joints, FFF_TEXT("Checks", "Sections overlap"),
-                          noSlitSentence, noSlitActions};
-const FindingKind kInterference{"interference", Subject::Joints,
-                                FFF_TEXT("Checks", "Sections overlap"), interferenceSentence,
-                                mendsOfPair};
+const FindingKind kNoSlit{.name = "interference",
+                          .subject = Subject::Joints,
+                          .title = FFF_TEXT("Checks", "Sections overlap"),
+                          .sentence = noSlitSentence,
+                          .actions = noSlitActions,
+                          .advice = kMakeRoom};
+const FindingKind kInterference{.name = "interference",
+                                .subject = Subject::Joints,
+                                .title = FFF_TEXT("Checks", "Sections overlap"),
+                                .sentence = interferenceSentence,
+                                .actions = mendsOfPair,
+                                .advice = kMakeRoom};
 const FindingKind kShallowAngle{
     "shallowAngle",  Subject::Joints, FFF_TEXT("Checks", "Angle too flat"),
     shallowSentence, turnEither,      nullptr,
