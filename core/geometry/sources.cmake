@@ -48,6 +48,7 @@ target_sources(fff_core PRIVATE
     geometry/simple_ring.cpp
     geometry/simplified_line.cpp
     geometry/sliver_mender.cpp
+    geometry/stretch_band.cpp
     geometry/source_edges.cpp
     geometry/stretch.cpp
     geometry/sweep_triangulation.cpp

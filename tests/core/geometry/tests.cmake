@@ -22,4 +22,5 @@ fff_tests(tests_geometry LIBRARIES fff::core CGAL::CGAL TESTS
     core/geometry/tst_polygon
     core/geometry/tst_region_tree
     core/geometry/tst_side_of_line
+    core/geometry/tst_stretch_band
     core/geometry/tst_triangulation)
