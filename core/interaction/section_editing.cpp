@@ -50,6 +50,9 @@ constexpr CountedText kFreeSection{FFF_TEXT("Step", "Free %1"),
 //: %1 is the name of a section
 constexpr CountedText kHoldSection{FFF_TEXT("Step", "Attach %1"),
                                    FFF_TEXT_OF_MANY("Step", "Attach %n sections")};
+//: %1 is the name of a section: how its place follows when the one that it is on is stretched
+constexpr CountedText kHoldTo{FFF_TEXT("Step", "Change how %1 follows"),
+                              FFF_TEXT_OF_MANY("Step", "Change how %n sections follow")};
 //: %1 is the name of a section
 constexpr CountedText kLockSection{FFF_TEXT("Step", "Lock %1"),
                                    FFF_TEXT_OF_MANY("Step", "Lock %n sections")};
@@ -327,6 +330,15 @@ SectionEdit freed(const Model &model, const std::vector<SectionRef> &sections, b
                        [isFree](Section &section) {
                            if (section.parent)
                                section.parent->isFree = isFree;
+                       });
+}
+
+SectionEdit heldTo(const Model &model, const std::vector<SectionRef> &sections, HoldsTo end)
+{
+    return changedEach(model, sections, ofSections(kHoldTo, namesOf(model, sections)),
+                       [end](Section &section) {
+                           if (section.parent)
+                               section.parent->holdsTo = end;
                        });
 }
 

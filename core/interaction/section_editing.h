@@ -56,6 +56,8 @@ SectionEdit alignedToAxis(const Model &model, const std::vector<SectionRef> &sec
 /// they do not meet (DoNotMeet), or where that one is on this (EditFailed).
 SectionEdit putOn(const Model &model, const SectionRef &section, const SectionRef &parent);
 SectionEdit freed(const Model &model, const std::vector<SectionRef> &sections, bool isFree);
+/// What each keeps its distance to when the section that it is on is stretched.
+SectionEdit heldTo(const Model &model, const std::vector<SectionRef> &sections, HoldsTo end);
 SectionEdit locked(const Model &model, const std::vector<SectionRef> &sections, bool isLocked);
 
 /// Drawn sections go, with their images; one that an operation made in its own way is left out of

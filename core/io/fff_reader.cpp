@@ -10,8 +10,10 @@
 #include "core/io/fff_values.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
+#include "core/model/holds_to_names.h"
 #include "core/model/joint_kind_names.h"
 #include "core/model/mended_shape.h"
+#include "core/model/value_names.h"
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
@@ -233,6 +235,13 @@ std::optional<Parent> FffReader::readParent(const JsonCursor &cursor)
     parent.slitTo = cursor.member("slitTo").point2();
     if (const JsonCursor free = cursor.member("free"); free.exists())
         parent.isFree = free.truth();
+    if (const JsonCursor holdsTo = cursor.member("holdsTo"); holdsTo.exists()) {
+        if (const auto known = namedIn(kHoldsToNames, holdsTo.text()))
+            parent.holdsTo = *known;
+        else
+            holdsTo.failExpected(
+                QT_TRANSLATE_NOOP("Error", "proportion, left, right, bottom or top"));
+    }
     return parent;
 }
 

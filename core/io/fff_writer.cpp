@@ -7,7 +7,9 @@
 #include "core/io/fff_templates.h"
 #include "core/io/fff_values.h"
 #include "core/io/json_writer.h"
+#include "core/model/holds_to_names.h"
 #include "core/model/joint_kind_names.h"
+#include "core/model/value_names.h"
 
 #include <unordered_map>
 
@@ -118,6 +120,8 @@ void writeParent(JsonWriter &json, const Parent &parent)
     json.member("slitTo", parent.slitTo);
     if (parent.isFree)
         json.member("free", true);
+    if (parent.holdsTo != HoldsTo::Proportion)
+        json.member("holdsTo", nameIn(kHoldsToNames, parent.holdsTo));
     json.endObject();
 }
 

@@ -1,6 +1,7 @@
 #include "core/model/moving.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/turning.h"
 #include "core/model/transformed.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ public:
     }
 
     Result<Document> move(std::span<const SectionMove> moves);
-    Result<Document> stretch(SectionId id, const Eigen::Matrix2d &matrix, const Vec2 &about);
+    Result<Document> stretch(SectionId id, const PlaneMap &map);
 
 private:
     struct Way
@@ -159,11 +160,34 @@ Similarity Mover::held(const Section &section, const Similarity &placement)
     return turned(straightOn).value_or(straightOn);
 }
 
-/// As far as the middle of its slit goes in the section that is stretched.
+/// As far as the middle of its slit goes in the section that is stretched, or the end that it holds
+/// to.
 Similarity Mover::alongStretch(const Section &section)
 {
     const Vec2 at = 0.5 * (section.parent->slitFrom + section.parent->slitTo);
-    const Vec2 by = m_stretch(at) - at;
+    Vec2 by = m_stretch(at) - at;
+    const Box2 box = turnedBounds(this->section(m_stretched).shape->contour(), Vec2::UnitX());
+    const auto asEnd = [&](int axis, double end) {
+        Vec2 beside = at;
+        beside[axis] = end;
+        by[axis] = m_stretch(beside)[axis] - end;
+    };
+    switch (section.parent->holdsTo) {
+    case HoldsTo::Proportion:
+        break;
+    case HoldsTo::Left:
+        asEnd(0, box.min.x());
+        break;
+    case HoldsTo::Right:
+        asEnd(0, box.max.x());
+        break;
+    case HoldsTo::Bottom:
+        asEnd(1, box.min.y());
+        break;
+    case HoldsTo::Top:
+        asEnd(1, box.max.y());
+        break;
+    }
     return Similarity::moved(this->section(m_stretched).frame.directionToWorld(by));
 }
 
@@ -264,10 +288,10 @@ Result<Document> Mover::move(std::span<const SectionMove> moves)
     return std::move(m_document);
 }
 
-Result<Document> Mover::stretch(SectionId id, const Eigen::Matrix2d &matrix, const Vec2 &about)
+Result<Document> Mover::stretch(SectionId id, const PlaneMap &map)
 {
     m_stretched = m_document.indexOf(id);
-    m_stretch = {matrix, about};
+    m_stretch = map;
     if (m_stretched < 0)
         return failure(ErrorCode::UnknownReference, std::to_string(id.value),
                        {std::to_string(id.value)});
@@ -284,12 +308,12 @@ Result<Document> movedSections(Document document, std::span<const SectionMove> m
     return Mover(std::move(document), rules).move(moves);
 }
 
-Result<Document> stretchedSection(Document document, SectionId id, const Eigen::Matrix2d &matrix,
-                                  const Vec2 &about, const MovingRules &rules)
+Result<Document> stretchedSection(Document document, SectionId id, const PlaneMap &map,
+                                  const MovingRules &rules)
 {
-    if (matrix == Eigen::Matrix2d::Identity() && document.find(id))
+    if (map.isIdentity() && document.find(id))
         return document;
-    return Mover(std::move(document), rules).stretch(id, matrix, about);
+    return Mover(std::move(document), rules).stretch(id, map);
 }
 
 Similarity turnToNormal(const Section &section, const Frame *parent, const Vec3 &normal)

@@ -9,6 +9,7 @@
 // Free ones (Parent::isFree) do neither. The slit's segment stays where the two planes meet.
 #pragma once
 
+#include "core/geometry/plane_map.h"
 #include "core/geometry/similarity.h"
 #include "core/model/document.h"
 
@@ -46,11 +47,11 @@ struct MovingRules
 Result<Document> movedSections(Document document, std::span<const SectionMove> moves,
                                const MovingRules &rules = {});
 
-/// A section stretched in its plane: each of its points p, in frame coordinates, goes to about +
-/// matrix (p − about), weights on it, too. What was drawn on it goes along without being turned, as
-/// far as its slit's middle does. Errors  as movedSections().
-Result<Document> stretchedSection(Document document, SectionId id, const Eigen::Matrix2d &matrix,
-                                  const Vec2 &about, const MovingRules &rules = {});
+/// A section stretched in its plane, frame coordinates, with what lies on it. What was drawn on it
+/// goes along without being turned: as far as its slit's middle does, or, along one of the frame's
+/// axes, as far as the end that it holds to (Parent::holdsTo). Errors  as movedSections().
+Result<Document> stretchedSection(Document document, SectionId id, const PlaneMap &map,
+                                  const MovingRules &rules = {});
 
 /// The least turn of a section about the middle of its slit, without one about the middle of its
 /// shape, that gives it this normal or the opposite one (unit).

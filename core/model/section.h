@@ -35,6 +35,11 @@ struct SectionRef
 
 /// On which section one was drawn, and the slit's segment there, from inside to where the stroke
 /// left, in the parent's frame coordinates (mm).
+/// What keeps its distance to a section that was drawn on another one, along an axis of that one's
+/// frame, when that one is stretched; along the other axis, and without such an end, it goes as far
+/// as the place that it is on.
+enum class HoldsTo { Proportion, Left, Right, Bottom, Top };
+
 struct Parent
 {
     SectionRef section;
@@ -42,11 +47,12 @@ struct Parent
     Vec2 slitTo = Vec2::Zero();
     /// It neither goes along when that is moved nor keeps its angle to it (core/model/moving.h).
     bool isFree = false;
+    HoldsTo holdsTo = HoldsTo::Proportion;
 
     bool operator==(const Parent &other) const
     {
         return section == other.section && slitFrom == other.slitFrom && slitTo == other.slitTo &&
-               isFree == other.isFree;
+               isFree == other.isFree && holdsTo == other.holdsTo;
     }
 };
 

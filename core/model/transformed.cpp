@@ -6,16 +6,62 @@
 
 namespace fff {
 
+namespace {
+
+Result<Contour> mapped(const Contour &contour, const PlaneMap &map)
+{
+    return map.band ? fff::mapped(contour, *map.band) : fff::mapped(contour, map.matrix, map.about);
+}
+
+/// What a band stretches is no figure of its kind any more.
+std::optional<Figure> mapped(const Figure &figure, const PlaneMap &map)
+{
+    if (!map.band)
+        return fff::mapped(figure, map.matrix, map.about);
+    const Result<Contour> contour = contourOf(figure);
+    const std::optional<Vec2> shift = contour ? map.band->shiftOf(contour->bounds()) : std::nullopt;
+    if (!shift)
+        return std::nullopt;
+    Figure next = figure;
+    next.centre += *shift;
+    return next;
+}
+
+/// Words are moved as they are; other lines are stretched with what is under them.
+Result<MarkPointer> mapped(const MarkPointer &mark, const PlaneMap &map)
+{
+    if (!map.band)
+        return fff::mapped(mark, map.matrix, map.about);
+    Mark next = *mark;
+    std::optional<Vec2> shift;
+    if (next.lettering) {
+        shift = map(next.lettering->at) - next.lettering->at;
+        next.lettering->at += *shift;
+    }
+    for (CurvePath &path : next.paths) {
+        std::vector<Vec2> points = path.points();
+        for (Vec2 &p : points)
+            p = shift ? Vec2(p + *shift) : map(p);
+        Result<CurvePath> moved = CurvePath::fromPoints(std::move(points));
+        if (!moved)
+            return tl::unexpected(moved.error());
+        path = *std::move(moved);
+    }
+    return std::make_shared<const Mark>(std::move(next));
+}
+
+} // namespace
+
 Result<ShapePointer> mappedShape(const ShapePointer &shape, const PlaneMap &map)
 {
     if (map.isIdentity())
         return shape;
-    Result<Contour> contour = mapped(shape->contour(), map.matrix, map.about);
+    Result<Contour> contour = mapped(shape->contour(), map);
     if (!contour)
         return tl::unexpected(contour.error());
     std::vector<Contour> holes;
     for (const Contour &hole : shape->holes()) {
-        Result<Contour> next = mapped(hole, map.matrix, map.about);
+        Result<Contour> next = mapped(hole, map);
         if (!next)
             return tl::unexpected(next.error());
         holes.push_back(*std::move(next));
@@ -33,10 +79,14 @@ Result<Section> stretched(Section section, const PlaneMap &map, const ShapeMap &
     section.shape = *std::move(shape);
     std::vector<Figure> figures;
     for (const Figure &figure : section.figures)
-        if (std::optional<Figure> next = mapped(figure, map.matrix, map.about))
+        if (std::optional<Figure> next = mapped(figure, map))
             figures.push_back(*std::move(next));
     section.figures = std::move(figures);
-    section.marks = mapped(section.marks, map.matrix, map.about);
+    std::vector<MarkPointer> marks;
+    for (const MarkPointer &mark : section.marks)
+        if (Result<MarkPointer> next = mapped(mark, map))
+            marks.push_back(*std::move(next));
+    section.marks = std::move(marks);
     if (section.symmetry)
         section.symmetry = MirrorAxis{map(section.symmetry->point),
                                       (map.matrix * section.symmetry->direction).normalized()};

@@ -3,6 +3,7 @@
 // scales sections maps them here.
 #pragma once
 
+#include "core/geometry/plane_map.h"
 #include "core/geometry/similarity.h"
 #include "core/model/document.h"
 
@@ -10,21 +11,9 @@
 
 namespace fff {
 
-/// A map of a section's own plane: p → about + matrix (p − about), frame coordinates, mm.
-struct PlaneMap
-{
-    Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
-    Vec2 about = Vec2::Zero();
-
-    Vec2 operator()(const Vec2 &p) const { return about + matrix * (p - about); }
-    bool isIdentity() const { return matrix == Eigen::Matrix2d::Identity(); }
-
-    /// About the frame's origin.
-    static PlaneMap scaled(double scale) { return {.matrix = scale * Eigen::Matrix2d::Identity()}; }
-};
-
-/// Contour and holes with each control point where the map puts it; the very object for the
-/// identity. Errors  as Contour::fromPoints(); EmptyContour where next to nothing is left.
+/// Contour and holes as the map has them (core/geometry/mapped_contour.h, stretch_band.h); the very
+/// object for the identity. Errors  as Contour::fromPoints(); EmptyContour where next to nothing is
+/// left.
 Result<ShapePointer> mappedShape(const ShapePointer &shape, const PlaneMap &map);
 /// The same, for those who keep shapes that they made before; not asked for the identity.
 using ShapeMap = std::function<Result<ShapePointer>(const ShapePointer &, const PlaneMap &)>;

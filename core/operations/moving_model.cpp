@@ -94,7 +94,8 @@ Result<Document> stretchedSection(const Model &model, const SectionRef &section,
     if (!origin)
         return madeInItsOwnWay(model, section);
     return carried(model, takesChildren, [&](const MovingRules &rules) {
-        return stretchedSection(model.document, origin->section->id, matrix, about, rules);
+        return stretchedSection(model.document, origin->section->id,
+                                {.matrix = matrix, .about = about}, rules);
     });
 }
 

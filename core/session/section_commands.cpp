@@ -7,8 +7,10 @@
 #include "core/interaction/symmetry_editing.h"
 #include "core/interaction/transform_tool.h"
 #include "core/model/edit_words.h"
+#include "core/model/holds_to_names.h"
 #include "core/model/origin.h"
 #include "core/model/symmetric_section.h"
+#include "core/model/value_names.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
 #include "core/session/command_rules.h"
@@ -153,6 +155,16 @@ public:
     Result<void> free(const CommandParameters &parameters, double time) const
     {
         m_interaction.carryOut(freed(model(), sections(), switched(parameters, isFree())), time);
+        return {};
+    }
+    Result<void> holdTo(const CommandParameters &parameters, double time) const
+    {
+        const std::string *end = textOf(parameters, "end");
+        const std::optional<HoldsTo> wanted = end ? namedIn(kHoldsToNames, *end) : std::nullopt;
+        if (!wanted)
+            return failure(ErrorCode::BadValue, "end",
+                           {end ? *end : std::string(), "proportion, left, right, bottom or top"});
+        m_interaction.carryOut(heldTo(model(), sections(), *wanted), time);
         return {};
     }
     Result<void> lock(const CommandParameters &parameters, double time) const
@@ -356,6 +368,7 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
         {"section.scale", &Commands::scale, selected},
         {"section.place", &Commands::place, selected},
         {"section.free", &Commands::free, onSome, [commands] { return commands.isFree(); }},
+        {"section.holdTo", &Commands::holdTo, onSome},
         {"section.lock", &Commands::lock, drawn, [commands] { return commands.isLocked(); }},
         {"section.symmetric", &Commands::keepSymmetric, symmetric,
          [commands] { return commands.isSymmetric(); }},

@@ -322,7 +322,7 @@ void TestMoving::stretchedInItsPlane()
     Eigen::Matrix2d wide;
     wide << 2.0, 0.0, 0.0, 1.0;
     const Vec2 about(1, 2);
-    const Document next = stretchedSection(animal.document, animal.body, wide, about).value();
+    const Document next = stretchedSection(animal.document, animal.body, {wide, about}).value();
     QVERIFY(std::abs(next.find(animal.body)->shape->area() -
                      2.0 * animal.section(animal.body).shape->area()) <= 1e-6);
     const Section &rib = *next.find(animal.rib), &before = animal.section(animal.rib);
@@ -332,10 +332,9 @@ void TestMoving::stretchedInItsPlane()
     const Vec2 was = 0.5 * (before.parent->slitFrom + before.parent->slitTo);
     QVERIFY((middle - (about + wide * (was - about))).norm() <= 1e-9);
     QVERIFY(slitError(next) <= 1e-9);
-    const Document back = stretchedSection(next, animal.body, wide.inverse(), about).value();
+    const Document back = stretchedSection(next, animal.body, {wide.inverse(), about}).value();
     QVERIFY(difference(back, animal.document) <= kSameMove);
-    QVERIFY(stretchedSection(animal.document, animal.body, Eigen::Matrix2d::Identity(), about)
-                ->isSame(animal.document));
+    QVERIFY(stretchedSection(animal.document, animal.body, PlaneMap{})->isSame(animal.document));
 }
 
 // Wrong: the field "Angle to it" would not come to the angle that was typed.
@@ -396,8 +395,7 @@ void TestMoving::badMovesAreRefused()
     QCOMPARE(errorOf(SectionId{99}, {}), std::string("99"));
     QCOMPARE(errorOf(animal.fin, Similarity::scaled(1e-5, Vec3::Zero())), std::string("Fin"));
     QCOMPARE(errorOf(animal.fin, Similarity::moved(Vec3(1e9, 0, 0))), std::string("Fin"));
-    QVERIFY(!stretchedSection(animal.document, animal.body, 1e-6 * Eigen::Matrix2d::Identity(),
-                              Vec2::Zero()));
+    QVERIFY(!stretchedSection(animal.document, animal.body, PlaneMap::scaled(1e-6)));
 }
 
 FFF_TEST(TestMoving)
