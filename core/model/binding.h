@@ -24,9 +24,10 @@ struct DrivenPlace
         Lettering, // index: of the section's marks
         Load,
         Joint, // of sections a < b; index: of its shares
+        Dimension,
     };
     Of of = Of::Stock;
-    std::int64_t id = 0; // of the stock, operation, section or load; of a joint 0
+    std::int64_t id = 0; // of the stock, operation, section, load or dimension; of a joint 0
     SectionRef a = {}, b = {};
     int index = 0;
     std::string field;

@@ -56,6 +56,15 @@ std::optional<double> thicknessOf(const Document &document, const Operation &ope
     return std::nullopt;
 }
 
+/// Null: it is of none.
+const Dimension *dimensionAt(const Document &document, const DrivenPlace &place)
+{
+    const auto found =
+        std::find_if(document.dimensions.begin(), document.dimensions.end(),
+                     [&place](const Dimension &one) { return one.id.value == place.id; });
+    return found == document.dimensions.end() ? nullptr : &*found;
+}
+
 std::optional<double> thicknessAt(const Document &document, const DrivenPlace &place)
 {
     switch (place.of) {
@@ -68,6 +77,10 @@ std::optional<double> thicknessAt(const Document &document, const DrivenPlace &p
     case DrivenPlace::Of::Load: {
         const Load *load = document.find(LoadId{place.id});
         return load ? thicknessOf(document, load->section) : std::nullopt;
+    }
+    case DrivenPlace::Of::Dimension: {
+        const Dimension *dimension = dimensionAt(document, place);
+        return dimension ? thicknessOf(document, dimension->from.section) : std::nullopt;
     }
     case DrivenPlace::Of::Joint:
         return std::nullopt;
@@ -190,6 +203,21 @@ std::vector<DrivenPlace> boundTo(const Document &document, const EvaluatedValues
             places.push_back(pointer->binding.place);
     }
     return places;
+}
+
+bool isStretchedByValues(const Document &document, SectionId section)
+{
+    const auto stretchesIt = [&](const BindingPointer &pointer) {
+        const DrivenPlace &place = pointer->binding.place;
+        if (place.of == DrivenPlace::Of::Dimension) {
+            const Dimension *dimension = dimensionAt(document, place);
+            return dimension && dimension->from.section == SectionRef(section);
+        }
+        return place.of == DrivenPlace::Of::Section && place.id == section.value &&
+               (place.field == "width" || place.field == "height");
+    };
+    return section.isValid() &&
+           std::any_of(document.bindings.begin(), document.bindings.end(), stretchesIt);
 }
 
 Names namesAt(const Document &document, const DrivenPlace &place, const Names &values)

@@ -38,6 +38,9 @@ Document withoutBinding(Document document, const DrivenPlace &place);
 std::vector<DrivenPlace> boundTo(const Document &document, const EvaluatedValues &evaluated,
                                  ValueId id);
 
+/// Its width, its height or a dimension on it follows an expression.
+bool isStretchedByValues(const Document &document, SectionId section);
+
 /// The values' names, and "t", the thickness of what the place is on, where that has one.
 Names namesAt(const Document &document, const DrivenPlace &place, const Names &values);
 

@@ -21,14 +21,15 @@ inline constexpr std::array<std::pair<std::string_view, ValueKind>, 9> kValueKin
      {"choice", ValueKind::Choice},
      {"switch", ValueKind::Switch}}};
 
-inline constexpr std::array<std::pair<std::string_view, DrivenPlace::Of>, 7> kDrivenNames{
+inline constexpr std::array<std::pair<std::string_view, DrivenPlace::Of>, 8> kDrivenNames{
     {{"stock", DrivenPlace::Of::Stock},
      {"operation", DrivenPlace::Of::Operation},
      {"section", DrivenPlace::Of::Section},
      {"figure", DrivenPlace::Of::Figure},
      {"lettering", DrivenPlace::Of::Lettering},
      {"load", DrivenPlace::Of::Load},
-     {"joint", DrivenPlace::Of::Joint}}};
+     {"joint", DrivenPlace::Of::Joint},
+     {"dimension", DrivenPlace::Of::Dimension}}};
 
 template <class Kind, std::size_t count>
 constexpr std::string_view nameIn(const std::array<std::pair<std::string_view, Kind>, count> &names,

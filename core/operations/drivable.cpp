@@ -12,7 +12,7 @@ namespace {
 /// In the order of DrivenPlace::Of.
 const DrivenOwner *const kOwners[] = {&kDrivenStocks,  &kDrivenOperations, &kDrivenSections,
                                       &kDrivenFigures, &kDrivenLetterings, &kDrivenLoads,
-                                      &kDrivenJoints};
+                                      &kDrivenJoints,  &kDrivenDimensions};
 
 const DrivenOwner &ownerOf(const DrivenPlace &place)
 {

@@ -20,7 +20,7 @@ struct DrivenOwner
 };
 
 extern const DrivenOwner kDrivenStocks, kDrivenOperations, kDrivenSections, kDrivenFigures,
-    kDrivenLetterings, kDrivenLoads, kDrivenJoints;
+    kDrivenLetterings, kDrivenLoads, kDrivenJoints, kDrivenDimensions;
 
 inline Worth worthOf(ValueKind kind, double number)
 {

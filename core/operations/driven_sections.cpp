@@ -8,6 +8,7 @@
 #include "core/model/moving.h"
 #include "core/model/point_edits.h"
 #include "core/operations/driven_owner.h"
+#include "core/operations/stretched_by_numbers.h"
 
 namespace fff {
 
@@ -66,54 +67,6 @@ std::optional<double> readSize(const Document &, const Section &section)
     return turnedBounds(section.shape->contour(), Vec2::UnitX()).size()[axis];
 }
 
-/// Holes that are figures keep their numbers where the section is stretched: round ones stay round.
-/// Their centres go along; one that has no room so is stretched.
-Document withFiguresKept(Document document, const Section &before, const Eigen::Matrix2d &matrix,
-                         const Vec2 &about)
-{
-    for (int i = 1; i < boundaryCount(*before.shape); ++i) {
-        const Figure *known = figureOf(before, i);
-        const Section *now = document.find(before.id);
-        if (!known || !now || i >= boundaryCount(*now->shape))
-            continue;
-        Figure figure = *known;
-        figure.centre = about + matrix * (figure.centre - about);
-        Result<Contour> contour = contourOf(figure);
-        const Result<ShapePointer> shape =
-            contour ? withBoundary(*now->shape, i, *std::move(contour))
-                    : Result<ShapePointer>(tl::unexpected(contour.error()));
-        Result<Document> next = shape ? setShape(document, before.id, *shape)
-                                      : Result<Document>(tl::unexpected(shape.error()));
-        if (next)
-            next = addFigure(*std::move(next), before.id, figure);
-        if (next)
-            document = *std::move(next);
-    }
-    return document;
-}
-
-/// Words keep the height of their letters where the section is stretched, and stay words.
-Document withLetteringKept(Document document, const Section &before, const Eigen::Matrix2d &matrix,
-                           const Vec2 &about)
-{
-    const Section *now = document.find(before.id);
-    if (!now || now->marks.size() != before.marks.size())
-        return document;
-    for (std::size_t i = 0; i < before.marks.size(); ++i) {
-        const Mark &mark = *before.marks[i];
-        if (!mark.lettering)
-            continue;
-        Lettering words = *mark.lettering;
-        words.at = about + matrix * (words.at - about);
-        Result<MarkPointer> written = letteredMark(words, mark.kind);
-        Result<Document> next = written ? setMark(document, before.id, i, *std::move(written))
-                                        : Result<Document>(tl::unexpected(written.error()));
-        if (next)
-            document = *std::move(next);
-    }
-    return document;
-}
-
 /// About the middle of its slit, which stays where it is; without one about that of its box. Slits
 /// are no part of a contour: they keep their width.
 template <int axis>
@@ -124,15 +77,10 @@ Result<Document> writeSize(Document document, const Section &section, double to)
         return failure(ErrorCode::BadValue, axis == 0 ? "width" : "height");
     Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
     matrix(axis, axis) = to / now;
-    const Section *holder = drawnHolderOf(document, section);
-    const Vec2 about = holder ? section.frame.toLocal(holder->frame.toWorld(
-                                    0.5 * (section.parent->slitFrom + section.parent->slitTo)))
-                              : turnedBounds(section.shape->contour(), Vec2::UnitX()).center();
-    Result<Document> next = stretchedSection(std::move(document), section.id, matrix, about);
-    if (!next)
-        return next;
-    return withLetteringKept(withFiguresKept(*std::move(next), section, matrix, about), section,
-                             matrix, about);
+    const Vec2 about =
+        slitMiddleOn(document, section)
+            .value_or(turnedBounds(section.shape->contour(), Vec2::UnitX()).center());
+    return stretchedByNumbers(std::move(document), section, {.matrix = matrix, .about = about});
 }
 
 struct SectionField

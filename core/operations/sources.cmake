@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     operations/copying.cpp
     operations/drivable.cpp
     operations/driven.cpp
+    operations/driven_dimensions.cpp
     operations/driven_operations.cpp
     operations/driven_sections.cpp
     operations/driven_things.cpp
@@ -35,6 +36,7 @@ target_sources(fff_core PRIVATE
     operations/slices.cpp
     operations/source_crossing.cpp
     operations/spine_planes.cpp
+    operations/stretched_by_numbers.cpp
     operations/symmetry.cpp
     operations/value_dependents.cpp
 )

@@ -33,6 +33,11 @@ public:
             if (const Load *load = m_model.document.find(LoadId{place.id}))
                 m_sections.insert(load->section);
             break;
+        case DrivenPlace::Of::Dimension:
+            for (const Dimension &dimension : m_model.document.dimensions)
+                if (dimension.id.value == place.id)
+                    m_sections.insert(dimension.from.section);
+            break;
         case DrivenPlace::Of::Joint:
             m_sections.insert(place.a);
             m_sections.insert(place.b);

@@ -235,8 +235,10 @@ void TestMakingWindow::aDimensionIsKeptAndTyped()
     for (int i = 0; i < 3; ++i)
         key(Qt::Key_Escape);
     QTRY_VERIFY(find<QDoubleSpinBox>("dimension0"));
+    const double height = size().y();
     type("dimension0", QStringLiteral("50"));
     QVERIFY(std::abs(size().x() - 50.0) < 1e-6);
+    QCOMPARE(size().y(), height); // the plate is stretched, the model is not scaled
     QTest::mouseClick(find<QToolButton>("dimension0.delete"), Qt::LeftButton);
     QVERIFY(session().committed().document.dimensions.empty());
 }
@@ -269,8 +271,8 @@ void TestMakingWindow::namesThatCannotBe()
 {
     auto *field = newNumber();
     field->setFocus();
-    for (const char *text : {"gap", "2x = 3", "t = 3", "gap = ", "gap = gap", "gap = 1/0",
-                             "gap = 2mm*2mm"}) {
+    for (const char *text :
+         {"gap", "2x = 3", "t = 3", "gap = ", "gap = gap", "gap = 1/0", "gap = 2mm*2mm"}) {
         field->clear();
         QTest::keyClicks(field, QLatin1String(text));
         QTest::keyClick(field, Qt::Key_Return);

@@ -1,8 +1,11 @@
 #include "ui/properties/dimension_group.h"
 
 #include "core/base/tolerances.h"
+#include "core/interaction/value_editing.h"
 #include "core/model/dimensions.h"
+#include "core/operations/drivable.h"
 #include "ui/bench/workbench.h"
+#include "ui/properties/driven_field.h"
 
 #include <QCoreApplication>
 
@@ -34,6 +37,41 @@ std::optional<double> DimensionGroup::length(std::size_t index) const
     return from && to ? std::optional((*to - *from).norm()) : std::nullopt;
 }
 
+/// Of one drawn section: what can be stretched.
+std::optional<DrivenPlace> DimensionGroup::place(std::size_t index) const
+{
+    const Document &document = m_bench.session().model().document;
+    if (index >= document.dimensions.size())
+        return std::nullopt;
+    const DrivenPlace place{.of = DrivenPlace::Of::Dimension,
+                            .id = document.dimensions[index].id.value,
+                            .field = "length"};
+    return drivenNumber(document, place) ? std::optional(place) : std::nullopt;
+}
+
+void DimensionGroup::change(std::size_t index, double length)
+{
+    const std::string number = QString::number(length, 'g', 17).toStdString();
+    if (const std::optional<DrivenPlace> stretched = place(index))
+        m_bench.editSections(numberBound(m_bench.session().committed().document, *stretched,
+                                         number + " mm", Reading()));
+    else
+        m_bench.run(QStringLiteral("measure.scale"),
+                    {{"dimension", std::to_string(index)}, {"length", number}});
+    m_rows.refresh(); // what was refused goes back to what it was
+}
+
+QString DimensionGroup::tip(std::size_t index) const
+{
+    const Document &document = m_bench.session().model().document;
+    if (!place(index))
+        return DimensionGroupTexts::tr("Changing this length scales the whole model");
+    const Section *section = document.find(document.dimensions[index].from.section.drawn);
+    //: %1 is the name of a section
+    return DimensionGroupTexts::tr("Changing this length stretches %1 between the two places")
+        .arg(QString::fromStdString(section->name));
+}
+
 void DimensionGroup::add(std::size_t index)
 {
     const QString id = QStringLiteral("dimension%1").arg(index);
@@ -41,18 +79,14 @@ void DimensionGroup::add(std::size_t index)
         //: %1 is a number
         DimensionGroupTexts::tr("Dimension %1").arg(index + 1), id.toLatin1().constData(), kLength,
         [this, index] { return length(index); },
-        [this, index](double value) {
-            m_bench.run(QStringLiteral("measure.scale"),
-                        {{"dimension", std::to_string(index)},
-                         {"length", QString::number(value, 'g', 17).toStdString()}});
-        },
-        this);
-    row->setToolTip(DimensionGroupTexts::tr("Changing this length scales the whole model"));
+        [this, index](double value) { change(index, value); }, this);
+    row->setFollowed(followedAt(m_bench, [this, index] { return place(index); }));
     row->addButton(
         QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
         DimensionGroupTexts::tr("Delete this dimension"), [this, index] {
             m_bench.run(QStringLiteral("measure.remove"), {{"dimension", std::to_string(index)}});
         });
+    m_lengths.push_back(row);
     m_rows.add(row);
 }
 
@@ -60,10 +94,14 @@ void DimensionGroup::refresh()
 {
     const std::size_t count = m_bench.session().model().document.dimensions.size();
     setVisible(count > 0);
-    if (m_rows.become(QString::number(count)))
+    if (m_rows.become(QString::number(count))) {
+        m_lengths.clear();
         for (std::size_t i = 0; i < count; ++i)
             add(i);
+    }
     m_rows.refresh();
+    for (std::size_t i = 0; i < m_lengths.size(); ++i)
+        m_lengths[i]->setToolTip(tip(i));
 }
 
 } // namespace fff::ui

@@ -1,8 +1,12 @@
-// The group "Dimensions" of the Properties dock: lengths that stay; typing another one scales the
-// whole model.
+// The group "Dimensions" of the Properties dock: lengths that stay. Typing another one stretches
+// the section that it is on; between two sections it scales the whole model.
 #pragma once
 
+#include "core/model/binding.h"
 #include "ui/properties/varying_rows.h"
+
+#include <optional>
+#include <vector>
 
 namespace fff::ui {
 
@@ -19,9 +23,13 @@ public:
 private:
     void add(std::size_t index);
     std::optional<double> length(std::size_t index) const;
+    std::optional<DrivenPlace> place(std::size_t index) const;
+    void change(std::size_t index, double length);
+    QString tip(std::size_t index) const;
 
     Workbench &m_bench;
     VaryingRows m_rows;
+    std::vector<PropertyRow *> m_lengths; // as they are listed
 };
 
 } // namespace fff::ui

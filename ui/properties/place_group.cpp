@@ -4,9 +4,12 @@
 #include "core/base/units.h"
 #include "core/interaction/contour_target.h"
 #include "core/interaction/section_editing.h"
+#include "core/model/bindings.h"
+#include "core/model/holds_to_names.h"
 #include "core/model/moving.h"
 #include "core/model/origin.h"
 #include "core/model/symmetric_section.h"
+#include "core/model/value_names.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/driven_field.h"
 #include "ui/properties/number_edit.h"
@@ -19,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace fff::ui {
 
@@ -67,6 +71,7 @@ PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
 {
     addParent();
     addAngle();
+    addHolding();
     addPosition();
     addNormal();
     addSwitch(PlaceGroupTexts::tr("Free"), "sectionFree",
@@ -182,6 +187,38 @@ void PlaceGroup::addAngle()
     add(m_angle);
 }
 
+/// Only where what it is on is stretched by values: else there is nothing to follow.
+void PlaceGroup::addHolding()
+{
+    PropertyRow *row = new ChoiceRow(
+        PlaceGroupTexts::tr("Follows"), "sectionHoldsTo",
+        [this] {
+            Choices choices;
+            for (const QString &name :
+                 {PlaceGroupTexts::tr("in proportion"), PlaceGroupTexts::tr("its left end"),
+                  PlaceGroupTexts::tr("its right end"), PlaceGroupTexts::tr("its lower end"),
+                  PlaceGroupTexts::tr("its upper end")})
+                choices.all.push_back({name, QColor()});
+            std::set<HoldsTo> ends;
+            for (const Section *section : sections())
+                if (section->parent)
+                    ends.insert(section->parent->holdsTo);
+            if (ends.size() == 1)
+                choices.current = static_cast<int>(*ends.begin());
+            return choices;
+        },
+        [this](int index) {
+            m_bench.run(QStringLiteral("section.holdTo"),
+                        {{"end", std::string(nameIn(kHoldsToNames, static_cast<HoldsTo>(index)))}});
+        },
+        this);
+    row->setToolTip(PlaceGroupTexts::tr(
+        "How its place follows when a value stretches the section that it is on: as far as that is "
+        "stretched there, or at its distance from an end"));
+    m_holding = row;
+    add(row);
+}
+
 /// Of the middle of its shape.
 void PlaceGroup::addPosition()
 {
@@ -285,6 +322,12 @@ void PlaceGroup::refresh()
     }));
     for (PropertyRow *row : m_rows)
         row->refresh();
+    const std::vector<const Section *> all = sections();
+    m_holding->setVisible(std::any_of(all.begin(), all.end(), [&model](const Section *section) {
+        return section->parent &&
+               (section->parent->holdsTo != HoldsTo::Proportion ||
+                isStretchedByValues(model.document, section->parent->section.drawn));
+    }));
 }
 
 } // namespace fff::ui

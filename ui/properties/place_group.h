@@ -27,6 +27,7 @@ public:
 private:
     void addParent();
     void addAngle();
+    void addHolding();
     void addPosition();
     void addNormal();
     void addSwitch(const QString &name, const char *objectName, const QString &tip,
@@ -44,6 +45,7 @@ private:
     Workbench &m_bench;
     QToolButton *m_pick = nullptr, *m_off = nullptr; // of what it is on
     PropertyRow *m_angle = nullptr;                  // to that
+    PropertyRow *m_holding = nullptr;                // when that is stretched
     std::vector<PropertyRow *> m_rows;
 };
 

@@ -5,6 +5,7 @@ fff_tests(tests_operations LIBRARIES fff::io TESTS
     core/operations/tst_branch
     core/operations/tst_evaluate
     core/operations/tst_driven
+    core/operations/tst_driven_dimensions
     core/operations/tst_driven_edits
     core/operations/tst_excerpt
     core/operations/tst_global_symmetry

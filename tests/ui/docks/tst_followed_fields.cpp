@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/model/bindings.h"
+#include "core/model/dimensions.h"
 #include "core/operations/driven.h"
 #include "tests/test_program.h"
 #include "tests/ui/docks/values_hand.h"
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void wrongOnesSayWhyAndChangeNothing();
     void fieldsOfTheModelFollow_data();
     void fieldsOfTheModelFollow();
+    void aDimensionStretchesItsSection();
     void whatIsLeftWithoutEnterFollows();
     void ofTwoThingsNoneFollows();
     void escapeTakesItBack();
@@ -184,6 +186,40 @@ void TestFollowedFields::fieldsOfTheModelFollow()
     QVERIFY(bindingOf(document(), at(document(), place)));
     QVERIFY(field(name.constData())->follows());
     QTRY_VERIFY(mark->isVisible());
+}
+
+// And what stands on the section can be told how to follow, once there is something to follow.
+void TestFollowedFields::aDimensionStretchesItsSection()
+{
+    Document measured = withValue(shelf(), "gap", "12 mm");
+    const SectionRef board = measured.sections[0]->ref(), rib = measured.sections[1]->ref();
+    measured = addDimension(measured, {board, {0, 0, 0}}, {board, {90, 0, 0}}).value();
+    measured = addDimension(measured, {board, {0, 0, 0}}, {rib, {0, 0, 0}}).value();
+    open(measured);
+    dock().close();
+    const auto holding = [this] {
+        return m_window->findChild<QWidget *>(QStringLiteral("sectionHoldsTo"))->isVisible();
+    };
+    bench().select({rib});
+    QVERIFY(!holding());
+    bench().select({});
+    QTRY_VERIFY(field("dimension0"));
+    type(field("dimension0"), QStringLiteral("= 10*gap"));
+    const auto width = [this](std::size_t section) {
+        return document().sections[section]->shape->bounds().size().x();
+    };
+    QVERIFY(std::abs(width(0) - 230.0) < 1e-9);
+    QCOMPARE(width(1), 60.0);
+    QVERIFY(field("dimension0")->follows());
+    bench().select({rib});
+    QTRY_VERIFY(holding());
+    bench().run(QStringLiteral("section.holdTo"), {{"end", "right"}});
+    QVERIFY(document().sections[1]->parent->holdsTo == HoldsTo::Right);
+    // From one section to another one it is the size of the model, as ever.
+    bench().select({});
+    QTRY_VERIFY(field("dimension1"));
+    type(field("dimension1"), QString::number(2 * field("dimension1")->value()));
+    QVERIFY(std::abs(width(1) - 120.0) < 1e-6);
 }
 
 void TestFollowedFields::whatIsLeftWithoutEnterFollows()

@@ -1,0 +1,104 @@
+// Lengths that stay, of two places of one drawn section: what is typed for one stretches the
+// section between them.
+#include "core/base/tolerances.h"
+#include "core/model/symmetric_section.h"
+#include "core/operations/driven_owner.h"
+#include "core/operations/stretched_by_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+constexpr const char *kLengthOfDimension = "length";
+/// Places this near to each other have no direction that one could stretch in, mm.
+constexpr double kLeastLength = 1e-3;
+/// Places are on one plane of a section where their heights above it differ by less, mm.
+constexpr double kSameHeight = 1e-6;
+
+struct DrivenLength
+{
+    const Dimension *dimension = nullptr;
+    const Section *section = nullptr;
+    Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+};
+
+std::optional<DrivenLength> lengthOf(const Document &document, const Dimension &dimension)
+{
+    const Anchor &from = dimension.from, &to = dimension.to;
+    const Section *section = document.find(from.section.drawn);
+    if (!section || from.section != to.section || std::abs(from.at.z() - to.at.z()) > kSameHeight)
+        return std::nullopt;
+    const DrivenLength length{&dimension, section, from.at.head<2>(), to.at.head<2>()};
+    return (length.to - length.from).norm() >= kLeastLength ? std::optional(length) : std::nullopt;
+}
+
+std::optional<DrivenLength> lengthAt(const Document &document, const DrivenPlace &place)
+{
+    const auto found =
+        std::find_if(document.dimensions.begin(), document.dimensions.end(),
+                     [&place](const Dimension &one) { return one.id.value == place.id; });
+    return found == document.dimensions.end() ? std::nullopt : lengthOf(document, *found);
+}
+
+std::optional<DrivenNumber> readLength(const Document &document, const DrivenPlace &place)
+{
+    const std::optional<DrivenLength> length =
+        place.field == kLengthOfDimension ? lengthAt(document, place) : std::nullopt;
+    if (!length)
+        return std::nullopt;
+    return DrivenNumber{ValueKind::Length,
+                        worthOf(ValueKind::Length, (length->to - length->from).norm()),
+                        FFF_TEXT("Driven", "Dimension")};
+}
+
+/// One half of a symmetric section: the other one does the same. Nothing where the line would not
+/// stay one, or lies between the two places.
+std::optional<Vec2> mirroredAt(const DrivenLength &length)
+{
+    const MirrorAxis *axis = symmetryOf(*length.section);
+    const Vec2 along = (length.to - length.from).normalized();
+    if (!axis || std::abs(axis->direction.dot(along)) > kPracticallyParallel)
+        return std::nullopt;
+    const double from = axis->height(length.from), to = axis->height(length.to);
+    const bool isBetween = std::min(from, to) < -kEqualEnds && std::max(from, to) > kEqualEnds;
+    return isBetween ? std::nullopt : std::optional(axis->point);
+}
+
+/// About its slit, as its width and height; without one about the line to which it is symmetric, or
+/// the first of the two places stays.
+Result<Document> writeLength(Document document, const DrivenPlace &place, const Worth &worth)
+{
+    const DrivenLength length = *lengthAt(document, place);
+    if (!(worth.number >= kLeastLength))
+        return failure(ErrorCode::BadValue, kLengthOfDimension);
+    const Section section = *length.section;
+    const std::optional<Vec2> mirrored = mirroredAt(length);
+    const StretchBand band{length.from, length.to, worth.number,
+                           slitMiddleOn(document, section).value_or(mirrored.value_or(length.from)),
+                           mirrored};
+    return stretchedByNumbers(std::move(document), section, {.band = band});
+}
+
+void listLengths(const Document &document, std::vector<DrivenPlace> &places)
+{
+    for (const Dimension &dimension : document.dimensions)
+        if (lengthOf(document, dimension))
+            places.push_back({.of = DrivenPlace::Of::Dimension,
+                              .id = dimension.id.value,
+                              .field = kLengthOfDimension});
+}
+
+std::string nameOfSection(const Document &document, const DrivenPlace &place)
+{
+    const std::optional<DrivenLength> length = lengthAt(document, place);
+    return length ? length->section->name : std::string();
+}
+
+} // namespace
+
+const DrivenOwner kDrivenDimensions{readLength, writeLength, listLengths, nameOfSection};
+
+} // namespace fff

@@ -1,0 +1,225 @@
+// Dimensions that drive: what is typed for one stretches its section, and what lies on it follows.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/io/fff_format.h"
+#include "core/model/dimensions.h"
+#include "core/model/moving.h"
+#include "core/model/symmetric_section.h"
+#include "tests/core/operations/driven_models.h"
+#include "tests/test_program.h"
+
+#include <cmath>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+/// The shelf with a length between two places of its board, made of the value "w", 100 mm.
+Document measured(const Vec2 &from, const Vec2 &to)
+{
+    const Document plain = shelf();
+    const SectionRef board = plain.sections[0]->ref();
+    Document document =
+        addDimension(plain, {board, {from.x(), from.y(), 0.0}}, {board, {to.x(), to.y(), 0.0}})
+            .value();
+    return withValue(std::move(document), "w", "100 mm");
+}
+
+std::string lengthKey(const Document &document)
+{
+    return key("dimension", document.dimensions[0].id.value, "length");
+}
+
+Document driving(const Vec2 &from, const Vec2 &to)
+{
+    const Document document = measured(from, to);
+    return madeOf(document, lengthKey(document), "w");
+}
+
+Vec2 sizeOf(const Document &document, std::size_t section)
+{
+    return document.sections[section]->shape->bounds().size();
+}
+
+Document holding(Document document, HoldsTo end)
+{
+    Section rib = *document.sections[1];
+    rib.parent->holdsTo = end;
+    document.sections[1] = std::make_shared<const Section>(rib);
+    return document;
+}
+
+double ribAt(const Document &document)
+{
+    return document.sections[1]->frame.origin.x();
+}
+
+} // namespace
+
+class TestDrivenDimensions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theSectionFollows();
+    void typedAndByAValueAreAlike();
+    void whatLiesOnItFollows();
+    void aSectionOnAnotherOneKeepsItsSlit();
+    void aSymmetricSectionStaysOne();
+    void childrenFollowAsTheyAreTold();
+    void whatCannotBeStretched();
+    void filesKeepIt();
+};
+
+void TestDrivenDimensions::theSectionFollows()
+{
+    const Document document = driving({50, 0}, {150, 0});
+    QCOMPARE(document.bindings.size(), std::size_t(1));
+    const Document longer = typed(document, "w", "160 mm");
+    QVERIFY(std::abs(numberAt(longer, lengthKey(longer)) - 160.0) < 1e-9);
+    QVERIFY((sizeOf(longer, 0) - Vec2(260, 40)).norm() < 1e-9);
+    QVERIFY(driven(longer).document.isSame(longer));
+    const Document back = typed(longer, "w", "100 mm");
+    QVERIFY((sizeOf(back, 0) - Vec2(200, 40)).norm() < 1e-9);
+    QCOMPARE(numberAt(back, lengthKey(back)), 100.0);
+    // The width that follows from it is another number, and both can be wanted at once.
+    const Document both =
+        madeOf(longer, key("section", longer.sections[0]->id.value, "width"), "2*w");
+    QVERIFY((sizeOf(both, 0) - Vec2(320, 40)).norm() < 1e-6);
+    QVERIFY(std::abs(numberAt(both, lengthKey(both)) - 160.0) < 1e-6);
+}
+
+void TestDrivenDimensions::typedAndByAValueAreAlike()
+{
+    const Document document = measured({50, 0}, {150, 0});
+    const Document byValue = typed(madeOf(document, lengthKey(document), "w"), "w", "130 mm");
+    const Document byHand = madeOf(document, lengthKey(document), "130 mm");
+    QVERIFY(byHand.bindings.empty());
+    QVERIFY(*byHand.sections[0]->shape == *byValue.sections[0]->shape);
+    QVERIFY(byHand.dimensions == byValue.dimensions);
+}
+
+void TestDrivenDimensions::whatLiesOnItFollows()
+{
+    // The hole at x = 50 lies before what is stretched, the words at 150 behind it.
+    const Document before = driving({80, 0}, {120, 0});
+    const Document after = typed(before, "w", "70 mm");
+    QCOMPARE(after.sections[0]->figures.size(), before.sections[0]->figures.size());
+    const std::string hole = "figure/" + std::to_string(after.sections[0]->id.value) + "/1/";
+    QCOMPARE(numberAt(after, hole + "diameter"), 10.0);
+    QVERIFY(std::abs(numberAt(after, hole + "centreX") - 50.0) < 1e-9);
+    QVERIFY(after.sections[0]->marks[0]->lettering);
+    QVERIFY((after.sections[0]->marks[0]->lettering->at -
+             before.sections[0]->marks[0]->lettering->at - Vec2(-30, 0))
+                .norm() < 1e-9);
+    QCOMPARE(after.loads[0].position, before.loads[0].position); // at x = 20
+    // A hole in the middle of it keeps its numbers, too.
+    const Document across = typed(driving({0, 0}, {200, 0}), "w", "400 mm");
+    QCOMPARE(
+        numberAt(across, "figure/" + std::to_string(across.sections[0]->id.value) + "/1/diameter"),
+        10.0);
+}
+
+void TestDrivenDimensions::aSectionOnAnotherOneKeepsItsSlit()
+{
+    Document document = shelf();
+    const SectionRef rib = document.sections[1]->ref();
+    const Vec3 slit(100, 30, 0); // the middle of its slit, in the world
+    document = addDimension(document, {rib, {-30, 0, 0}}, {rib, {30, 0, 0}}).value();
+    document = madeOf(withValue(document, "w", "60 mm"), lengthKey(document), "w");
+    const Document wide = typed(document, "w", "90 mm");
+    QVERIFY((sizeOf(wide, 1) - Vec2(90, 60)).norm() < 1e-9);
+    const Section &now = *wide.sections[1];
+    const double middle = now.frame.toLocal(slit).x();
+    QVERIFY(std::abs(now.shape->bounds().center().x() - middle) < 1e-9);
+}
+
+// Wrong: one half alone would follow, and the next edit of a point would not know the other.
+void TestDrivenDimensions::aSymmetricSectionStaysOne()
+{
+    Document document = newDocument();
+    const SectionId plate = add(
+        document, "Plate",
+        shapeOf(polygonContour(
+            {{-50, 0}, {50, 0}, {50, 20}, {20, 20}, {20, 60}, {-20, 60}, {-20, 20}, {-50, 20}})),
+        frontFrame());
+    document = setSymmetry(std::move(document), plate, MirrorAxis{{0, 0}, {0, 1}}).value();
+    document = addDimension(document, {plate, {20, 20, 0}}, {plate, {50, 20, 0}}).value();
+    document = madeOf(document, lengthKey(document), "45 mm");
+    QVERIFY(std::abs(numberAt(document, lengthKey(document)) - 45.0) < 1e-9);
+    const Section &wide = *document.sections[0];
+    QVERIFY(symmetryOf(wide));
+    const Box2 box = wide.shape->bounds();
+    QVERIFY((box.min - Vec2(-65, 0)).norm() < 1e-9 && (box.max - Vec2(65, 60)).norm() < 1e-9);
+    // From side to side it is symmetric by itself.
+    document = addDimension(document, {plate, {-20, 60, 0}}, {plate, {20, 60, 0}}).value();
+    const std::string across = key("dimension", document.dimensions[1].id.value, "length");
+    document = madeOf(document, across, "30 mm");
+    QVERIFY(symmetryOf(*document.sections[0]));
+    QVERIFY(std::abs(document.sections[0]->shape->bounds().size().x() - 120.0) < 1e-9);
+}
+
+void TestDrivenDimensions::childrenFollowAsTheyAreTold()
+{
+    // By its width, about its middle at 100, where the rib is: it is put to 150 first.
+    Document wide = withValue(shelf(), "w", "200 mm");
+    const SectionMove moves[] = {
+        {.section = wide.sections[1]->id, .placement = Similarity::moved({50, 0, 0})}};
+    wide = movedSections(wide, moves).value();
+    const std::string width = key("section", wide.sections[0]->id.value, "width");
+    wide = madeOf(wide, width, "w");
+    const auto at = [&](HoldsTo end) { return ribAt(typed(holding(wide, end), "w", "300 mm")); };
+    QVERIFY(std::abs(at(HoldsTo::Proportion) - 175.0) < 1e-9);
+    QVERIFY(std::abs(at(HoldsTo::Left) - 100.0) < 1e-9);
+    QVERIFY(std::abs(at(HoldsTo::Right) - 200.0) < 1e-9);
+    QVERIFY(std::abs(at(HoldsTo::Top) - 175.0) < 1e-9); // across is not along
+    const Document held = typed(holding(wide, HoldsTo::Right), "w", "300 mm");
+    QVERIFY((0.5 * (held.sections[1]->parent->slitFrom + held.sections[1]->parent->slitTo) -
+             Vec2(200, 30))
+                .norm() < 1e-9);
+    // By a dimension, of which the left place stays.
+    const auto driven = [&](HoldsTo end, double x) {
+        Document document = driving({0, 0}, {100, 0});
+        const SectionMove to[] = {
+            {.section = document.sections[1]->id, .placement = Similarity::moved({x - 100, 0, 0})}};
+        document = movedSections(document, to).value();
+        return ribAt(typed(holding(document, end), "w", "150 mm"));
+    };
+    QVERIFY(std::abs(driven(HoldsTo::Proportion, 60) - 90.0) < 1e-9);
+    QVERIFY(std::abs(driven(HoldsTo::Left, 60) - 60.0) < 1e-9);
+    QVERIFY(std::abs(driven(HoldsTo::Right, 60) - 110.0) < 1e-9);
+    QVERIFY(std::abs(driven(HoldsTo::Proportion, 160) - 210.0) < 1e-9);
+}
+
+void TestDrivenDimensions::whatCannotBeStretched()
+{
+    const Document document = measured({50, 0}, {150, 0});
+    QVERIFY(!bound(document, at(document, lengthKey(document)), "0 mm"));
+    QVERIFY(!bound(document, at(document, lengthKey(document)), "-w"));
+    // From one section to another, in the world, off the sheet: lengths that are only shown.
+    const SectionRef board = document.sections[0]->ref(), rib = document.sections[1]->ref();
+    for (const auto &[from, to] : {std::pair{Anchor{board, {0, 0, 0}}, Anchor{rib, {0, 0, 0}}},
+                                   std::pair{Anchor{{}, {0, 0, 0}}, Anchor{{}, {0, 9, 0}}},
+                                   std::pair{Anchor{board, {0, 0, 0}}, Anchor{board, {9, 0, 2}}}}) {
+        const Document other = addDimension(shelf(), from, to).value();
+        QVERIFY(!placeOfKey(other, lengthKey(other)));
+    }
+}
+
+void TestDrivenDimensions::filesKeepIt()
+{
+    const Document document = holding(driving({50, 0}, {150, 0}), HoldsTo::Right);
+    const std::string text = io::writeFff(document).value();
+    const auto read = io::readFff(text);
+    QVERIFY(read && read->document == document);
+    QCOMPARE(io::writeFff(read->document).value(), text);
+    QVERIFY(driven(read->document).document.isSame(read->document));
+    std::string wrong = text;
+    wrong.replace(wrong.find("\"right\""), 7, "\"beside\"");
+    const auto failed = io::readFff(wrong);
+    QVERIFY(!failed && failed.error().place.find("holdsTo") != std::string::npos);
+}
+
+FFF_TEST(TestDrivenDimensions)
+#include "tst_driven_dimensions.moc"
