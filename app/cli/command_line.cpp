@@ -254,7 +254,9 @@ void addDocumentOptions(QCommandLineParser &parser)
     const auto add = [&](const char *name, const QString &text, const char *value) {
         parser.addOption({QLatin1String(name), text, QLatin1String(value)});
     };
-    add("set", tr("Gives a named value of the model another number; may be repeated."),
+    add("set",
+        tr("Gives a named value of the model another number, or all that a preset sets; may be "
+           "repeated."),
         "NAME=VALUE");
     add("thickness", tr("Thickness of every stock."), "MM");
     add("stock", tr("Cuts every section from this stock, or from that of a .fff file."), "NAME");

@@ -2,6 +2,7 @@
 
 #include "core/operations/driven.h"
 #include "core/session/message_text.h"
+#include "core/values/presets.h"
 
 namespace fff::cli {
 
@@ -20,6 +21,18 @@ QString namesOf(const Values &values)
     return io::enumerated(names, tr("%1 or %2"));
 }
 
+QString notASetting(const QString &setting, const Values &values)
+{
+    QStringList names;
+    for (const PresetPointer &preset : values.presets)
+        names += QString::fromStdString(preset->name);
+    if (names.isEmpty())
+        return tr("found \"%1\", expected NAME=VALUE, such as width=400.").arg(setting);
+    //: %2 are names of presets of values: "A5 or A4"
+    return tr("found \"%1\", expected NAME=VALUE, such as width=400, or a preset: %2.")
+        .arg(setting, io::enumerated(names, tr("%1 or %2")));
+}
+
 } // namespace
 
 Reading typedReading()
@@ -33,10 +46,13 @@ tl::expected<Document, QString> withValues(const Document &document, const QStri
 {
     Document next = document;
     for (const QString &setting : settings) {
+        if (const Preset *preset = findPreset(next.values, setting.trimmed().toStdString())) {
+            next.values = setByPreset(next.values, *preset);
+            continue;
+        }
         const qsizetype equals = setting.indexOf(u'=');
         if (equals < 1)
-            return tl::unexpected(
-                tr("found \"%1\", expected NAME=VALUE, such as width=400.").arg(setting));
+            return tl::unexpected(notASetting(setting, next.values));
         const QString name = setting.left(equals).trimmed();
         const Value *value = next.values.find(std::string_view(name.toStdString()));
         if (!value && next.values.list.empty())

@@ -1,4 +1,4 @@
-// --set NAME=VALUE: named values of a model for one run.
+// --set NAME=VALUE or --set PRESET: named values of a model for one run.
 #pragma once
 
 #include "app/cli/command_line.h"
@@ -9,7 +9,8 @@ namespace fff::cli {
 /// What is typed on the command line: mm, degrees and kg where it has no unit.
 Reading typedReading();
 
-/// The document in agreement with these values; each is NAME=VALUE, and the last of a name counts.
+/// The document in agreement with these values; each is NAME=VALUE or the name of a preset, and the
+/// last of a name counts.
 /// What is wrong with one, or what the model would not bear, is one sentence.
 tl::expected<Document, QString> withValues(const Document &document, const QStringList &settings);
 

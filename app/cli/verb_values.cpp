@@ -5,6 +5,7 @@
 #include "core/operations/driven.h"
 #include "core/session/message_text.h"
 #include "core/values/number_text.h"
+#include "core/values/presets.h"
 
 #include <cstdint>
 #include <optional>
@@ -70,7 +71,22 @@ void writeNamedValue(JsonWriter &json, const Value &value, const Driven &model)
     writeRange(json, value);
     if (!value.note.empty())
         json.member("note", value.note);
+    if (!value.group.empty())
+        json.member("group", value.group);
     json.member("shown", value.isShown);
+    json.endObject();
+}
+
+void writePreset(JsonWriter &json, const Preset &preset, const Values &values)
+{
+    json.beginObject(JsonWriter::Layout::Line);
+    json.member("name", preset.name);
+    json.key("settings");
+    json.beginObject(JsonWriter::Layout::Line);
+    for (const Setting &setting : preset.settings)
+        if (const Value *value = values.find(setting.value))
+            json.member(value->name.c_str(), setting.typed);
+    json.endObject();
     json.endObject();
 }
 
@@ -101,6 +117,13 @@ std::string valuesJson(const Driven &model, const QString &file,
     for (const ValuePointer &known : model.document.values.list)
         writeNamedValue(json, known->value, model);
     json.endArray();
+    if (!model.document.values.presets.empty()) {
+        json.key("presets");
+        json.beginArray();
+        for (const PresetPointer &preset : model.document.values.presets)
+            writePreset(json, *preset, model.document.values);
+        json.endArray();
+    }
     json.key("driven");
     json.beginArray();
     for (const BindingPointer &pointer : model.document.bindings)
@@ -146,6 +169,15 @@ QStringList valuesText(const Driven &model)
             line += QStringLiteral("  ") + QString::fromStdString(value.note);
         lines += line;
     }
+    QStringList presets;
+    for (const PresetPointer &preset : model.document.values.presets)
+        presets += QString::fromStdString(preset->name);
+    if (const Preset *used = presetInUse(model.document.values))
+        //: %1 are names of presets of values, %2 is the one that is set
+        lines += tr("Presets: %1. It is set to %2.")
+                     .arg(presets.join(QStringLiteral(", ")), QString::fromStdString(used->name));
+    else if (!presets.isEmpty())
+        lines += tr("Presets: %1").arg(presets.join(QStringLiteral(", ")));
     for (const BindingPointer &pointer : model.document.bindings) {
         const Binding &binding = pointer->binding;
         lines += QStringLiteral("%1: %2  [%3]")

@@ -2,6 +2,7 @@
 
 #include "core/operations/driven.h"
 #include "core/values/expression_words.h"
+#include "core/values/presets.h"
 
 #include <algorithm>
 #include <optional>
@@ -19,6 +20,18 @@ constexpr Text kSetValue = FFF_TEXT("Step", "Set %1");
 constexpr Text kRenameValue = FFF_TEXT("Step", "Rename %1 to %2");
 //: %1 is the name of a value
 constexpr Text kDeleteValue = FFF_TEXT("Step", "Delete %1");
+//: %1 is the name of a preset of values, such as A5
+constexpr Text kKeepPreset = FFF_TEXT("Step", "Keep the preset %1");
+//: %1 is the name of a preset of values, such as A5
+constexpr Text kTakePreset = FFF_TEXT("Step", "Set to %1");
+//: %1 is the name of a preset of values, such as A5
+constexpr Text kDeletePreset = FFF_TEXT("Step", "Delete the preset %1");
+constexpr Text kNoPresetName =
+    FFF_TEXT("Hint", "A preset needs a name, without “=” and blanks at its ends.");
+constexpr Text kNothingToKeep =
+    FFF_TEXT("Hint", "No value is shown to others yet, so there is nothing to keep.");
+//: %1 is what somebody took for the name of a preset
+constexpr Text kNoSuchPreset = FFF_TEXT("Hint", "There is no preset named “%1”.");
 constexpr Text kHandOn = FFF_TEXT("Step", "Hand on for adjusting");
 constexpr Text kEditDesign = FFF_TEXT("Step", "Edit the design");
 //: %n numbers were made of a value that is removed
@@ -77,6 +90,38 @@ SectionEdit valueRemoved(const Document &document, ValueId id)
     EditedSections edit{std::move(removed.document), {kDeleteValue, {Named{known->name}}}};
     if (removed.users > 0)
         edit.note = Hint(Message{kNowNumbers, {}, removed.users});
+    return edit;
+}
+
+SectionEdit presetKept(const Document &document, const std::string &name)
+{
+    if (!isPresetName(name))
+        return refused(kNoPresetName);
+    Preset preset = takenPreset(document.values, name);
+    if (preset.settings.empty())
+        return refused(kNothingToKeep);
+    EditedSections edit{document, {kKeepPreset, {Named{name}}}};
+    edit.document.values = withPreset(document.values, std::move(preset));
+    return edit;
+}
+
+SectionEdit presetTaken(const Document &document, const std::string &name)
+{
+    const Preset *preset = findPreset(document.values, name);
+    if (!preset)
+        return refused(kNoSuchPreset, {Named{name}});
+    Document next = document;
+    next.values = setByPreset(document.values, *preset);
+    return checkedEdit(document, std::move(next), {kTakePreset, {Named{preset->name}}});
+}
+
+SectionEdit presetRemoved(const Document &document, const std::string &name)
+{
+    const Preset *preset = findPreset(document.values, name);
+    if (!preset)
+        return refused(kNoSuchPreset, {Named{name}});
+    EditedSections edit{document, {kDeletePreset, {Named{preset->name}}}};
+    edit.document.values = withoutPreset(document.values, name);
     return edit;
 }
 

@@ -19,6 +19,12 @@ SectionEdit valueRenamed(const Document &document, ValueId id, const std::string
 /// What was made of it is plain numbers then; the note says how many.
 SectionEdit valueRemoved(const Document &document, ValueId id);
 
+/// What is set now of the shown values, under that name; one that has it already is replaced.
+SectionEdit presetKept(const Document &document, const std::string &name);
+/// All of its settings at once.
+SectionEdit presetTaken(const Document &document, const std::string &name);
+SectionEdit presetRemoved(const Document &document, const std::string &name);
+
 /// The number follows this text from now on; a plain number is set once.
 SectionEdit numberBound(const Document &document, const DrivenPlace &place, std::string typed,
                         const Reading &reading);

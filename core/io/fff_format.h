@@ -9,7 +9,7 @@
 //       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
 //       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes, "locked",
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y],
-//                                     "free" },
+//                                     "free", "holdsTo": "proportion|left|right|bottom|top" },
 //                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] },
 //                         "symmetry": { "point": [x, y], "direction": [x, y] },
 //                         "figures": [ { "kind", "centre": [x, y], "turn",
@@ -33,7 +33,8 @@
 //       "values":     [ { "id", "name", "kind": "number|length|angle|count|mass|ratio|text|choice|
 //                         switch", "typed", "lengthUnit", "massUnit", "angleUnit", "commas":
 //                         "decimals|groups", "least", "most", "step", "choices": ["text", ...],
-//                         "note", "shown" } ],
+//                         "note", "group", "shown" } ],
+//       "presets":    [ { "name", "settings": [ { "value": id, "typed", "lengthUnit" … } ] } ],
 //       "bindings":   [ { "of": "stock|operation|section|figure|lettering|load|joint", "id", "a":
 //                         ref, "b": ref, "index", "field", "typed", "lengthUnit" …, "result" } ],
 //       "templates":  [ { "id", "kind": "mesh|picture|curves", "name", "blob": its SHA-256, "file",
@@ -43,18 +44,18 @@
 //
 // Strengths and modulus are null when not rated; "opensForAdjusting" (then false), "parent",
 // "holes", "weights", "joints", and of a joint all but its two sections, may be missing; of a
-// section "locked", and of a parent "free" (then false), of a section "figures"
-// (core/geometry/figure.h), which say what boundaries were made of, as far as they are as those
-// still, "symmetry", to which line it stays symmetric when its points are edited
+// section "locked", and of a parent "free" (then false) and "holdsTo" (then proportion), of a
+// section "figures" (core/geometry/figure.h), which say what boundaries were made of, as far as
+// they are as those still, "symmetry", to which line it stays symmetric when its points are edited
 // (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark "lettering";
 // "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor "section";
 // "pins" and "turnings" (core/model/sheet_wishes.h), of a pin "body" (then 0) and "turn" (then [1,
 // 0]); "values" (core/values/values.h) and of one all but its id, name, kind and what was typed;
-// "bindings" (core/model/binding.h), which say of numbers that stand elsewhere in the file of what
-// they are made, and what that came to ("result", as the number is in the file; another number
-// there is one by itself), of a joint by "a" and "b", of all else by "id"; "templates"
-// (core/model/template.h), of one all that is not said of it by default,
-// and "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON
+// "presets" (core/values/presets.h); "bindings" (core/model/binding.h), which say of numbers that
+// stand elsewhere in the file of what they are made, and what that came to ("result", as the number
+// is in the file; another number there is one by itself), of a joint by "a" and "b", of all else by
+// "id"; "templates" (core/model/template.h), of one all that is not said of it by default, and
+// "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON
 // (core/io/fff_file.h), of these "mediaType" and "name"; of a stock "slitEnd" (then square),
 // "toolDiameter" (3.175), "leadIn" and "bumps" (0), "price" (then it is not known); of an operation
 // "on" (then true), "template" and "stock" (of kinds that make sections of one) and "exceptions".

@@ -419,7 +419,7 @@ Document FffReader::read(const JsonCursor &root)
     document.pins = readPins(root.member("pins"), readers);
     document.turnings = readTurnings(root.member("turnings"), readers);
     document.numbers = readNumbers(root.member("numbers"));
-    document.values = readValues(root.member("values"), readers);
+    document.values = readValues(root, document.nextId, readers);
     document.templates = readTemplates(root.member("templates"), readers);
     if (!m_problems.failed())
         document.bindings = readBindings(root.member("bindings"), document, readers);

@@ -5,9 +5,11 @@
 #include "core/model/value_names.h"
 #include "core/operations/drivable.h"
 #include "core/values/formula.h"
+#include "core/values/presets.h"
 
 #include <QtCore/QCoreApplication>
 #include <limits>
+#include <map>
 #include <string>
 
 namespace fff::io {
@@ -81,6 +83,8 @@ void writeValue(JsonWriter &json, const Value &value)
     }
     if (!value.note.empty())
         json.member("note", value.note);
+    if (!value.group.empty())
+        json.member("group", value.group);
     if (value.isShown)
         json.member("shown", true);
     json.endObject();
@@ -109,9 +113,49 @@ Value readValue(const JsonCursor &cursor, const ReferenceReaders &readers)
             value.choices.push_back(choice.text());
     if (const JsonCursor note = cursor.member("note"); note.exists())
         value.note = note.text();
+    if (const JsonCursor group = cursor.member("group"); group.exists())
+        value.group = group.text();
     if (const JsonCursor shown = cursor.member("shown"); shown.exists())
         value.isShown = shown.truth();
     return value;
+}
+
+void writePreset(JsonWriter &json, const Preset &preset)
+{
+    json.beginObject();
+    json.member("name", preset.name);
+    json.key("settings");
+    json.beginArray();
+    for (const Setting &setting : preset.settings) {
+        json.beginObject(Layout::Line);
+        json.member("value", setting.value.value);
+        json.member("typed", setting.typed);
+        writeReading(json, setting.reading);
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+}
+
+/// Settings of values that a newer version has are left out, and so is a preset of nothing else.
+Preset readPreset(const JsonCursor &cursor, const Values &values, std::int64_t nextId)
+{
+    Preset preset;
+    const JsonCursor name = cursor.member("name");
+    preset.name = name.text();
+    if (!isPresetName(preset.name) || findPreset(values, preset.name))
+        name.failExpected(QT_TRANSLATE_NOOP("Error", "a name without “=”, each once"));
+    std::map<ValueId, Setting> settings;
+    for (const JsonCursor &item : cursor.member("settings").items()) {
+        const JsonCursor value = item.member("value");
+        const ValueId id{value.integer(1, nextId - 1)};
+        Setting setting{id, readTyped(item.member("typed")), readReading(item)};
+        if (values.indexOf(id) >= 0 && !settings.emplace(id, std::move(setting)).second)
+            value.failExpected(QT_TRANSLATE_NOOP("Error", "each value once"));
+    }
+    for (auto &[id, setting] : settings)
+        preset.settings.push_back(std::move(setting));
+    return preset;
 }
 
 void writeResult(JsonWriter &json, const Worth &result)
@@ -189,6 +233,13 @@ void writeValues(JsonWriter &json, const Document &document)
     for (const ValuePointer &known : document.values.list)
         writeValue(json, known->value);
     json.endArray();
+    if (document.values.presets.empty())
+        return;
+    json.key("presets");
+    json.beginArray();
+    for (const PresetPointer &preset : document.values.presets)
+        writePreset(json, *preset);
+    json.endArray();
 }
 
 void writeBindings(JsonWriter &json, const Document &document)
@@ -202,9 +253,10 @@ void writeBindings(JsonWriter &json, const Document &document)
     json.endArray();
 }
 
-Values readValues(const JsonCursor &cursor, const ReferenceReaders &readers)
+Values readValues(const JsonCursor &root, std::int64_t nextId, const ReferenceReaders &readers)
 {
     Values values;
+    const JsonCursor cursor = root.member("values");
     if (!cursor.exists())
         return values;
     for (const JsonCursor &item : cursor.items()) {
@@ -215,6 +267,10 @@ Values readValues(const JsonCursor &cursor, const ReferenceReaders &readers)
                 QT_TRANSLATE_NOOP("Error", "a word of letters and digits, each once"));
         values.list.push_back(makeValue(std::move(value)));
     }
+    if (const JsonCursor presets = root.member("presets"); presets.exists())
+        for (const JsonCursor &item : presets.items())
+            if (Preset preset = readPreset(item, values, nextId); !preset.settings.empty())
+                values = withPreset(std::move(values), std::move(preset));
     return values;
 }
 

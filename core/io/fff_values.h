@@ -10,8 +10,9 @@ namespace fff::io {
 void writeValues(JsonWriter &json, const Document &document);
 void writeBindings(JsonWriter &json, const Document &document);
 
-/// An expression that is none here is kept: the value says what is wrong with it.
-Values readValues(const JsonCursor &cursor, const ReferenceReaders &readers);
+/// With presets. An expression that is none here is kept: the value says what is wrong with it.
+/// nextId: the document's.
+Values readValues(const JsonCursor &root, std::int64_t nextId, const ReferenceReaders &readers);
 /// Those of numbers that `document`, which is whole otherwise, has: what a later version knows is a
 /// number all the same.
 std::vector<BindingPointer> readBindings(const JsonCursor &cursor, const Document &document,

@@ -7,6 +7,7 @@
 #include "core/operations/drivable.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
+#include "core/values/presets.h"
 
 #include <algorithm>
 #include <map>
@@ -270,9 +271,13 @@ void Excerpt::addValues()
                 if (used.insert(known.value.id).second)
                     reach(known.typed);
             }
+    std::map<ValueId, ValueId> taken;
     for (const ValuePointer &known : all.values.list)
-        if (used.contains(known->value.id))
+        if (used.contains(known->value.id)) {
             m_result.values.list.push_back(known);
+            taken.emplace(known->value.id, known->value.id);
+        }
+    mergePresets(m_result.values, all.values, taken);
 }
 
 Document Excerpt::take()

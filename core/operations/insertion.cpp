@@ -335,6 +335,8 @@ void Inserter::addValues()
     for (const ValuePointer &known : m_other.values.list)
         if (!shared.contains(known->folded))
             coming.list.push_back(known);
+    if (!coming.list.empty())
+        coming.presets = m_other.values.presets;
     ValueMerge merge = mergedValues(document.values, coming, document.nextId);
     document.values = std::move(merge.values);
     document.nextId += std::ssize(coming.list);

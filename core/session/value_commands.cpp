@@ -83,6 +83,8 @@ Result<Value> withSaid(const CommandParameters &parameters, Value value)
         value.choices = choicesIn(*choices);
     if (const std::string *note = textOf(parameters, "note"))
         value.note = *note;
+    if (const std::string *group = textOf(parameters, "group"))
+        value.group = *group;
     if (const std::string *shown = textOf(parameters, "shown"))
         value.isShown = *shown == "true";
     return value;
@@ -134,6 +136,23 @@ public:
         if (!known)
             return unknown(parameters);
         return carryOut(valueRemoved(document(), known->id), "name", parameters, time);
+    }
+
+    Result<void> keepPreset(const CommandParameters &parameters, double time) const
+    {
+        return carryOut(presetKept(document(), said(parameters, "name")), "name", parameters, time);
+    }
+
+    Result<void> takePreset(const CommandParameters &parameters, double time) const
+    {
+        return carryOut(presetTaken(document(), said(parameters, "name")), "name", parameters,
+                        time);
+    }
+
+    Result<void> removePreset(const CommandParameters &parameters, double time) const
+    {
+        return carryOut(presetRemoved(document(), said(parameters, "name")), "name", parameters,
+                        time);
     }
 
     Result<void> bind(const CommandParameters &parameters, double time) const
@@ -211,6 +230,9 @@ void registerValueCommands(CommandRegistry &registry, Session &session, Interact
     add("value.set", &ValueCommands::set);
     add("value.rename", &ValueCommands::rename);
     add("value.remove", &ValueCommands::remove);
+    add("preset.keep", &ValueCommands::keepPreset);
+    add("preset.take", &ValueCommands::takePreset);
+    add("preset.remove", &ValueCommands::removePreset);
     add("value.bind", &ValueCommands::bind);
     add("value.release", &ValueCommands::release);
     // It says which of the two it does, so that neither has to be looked for.

@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     values/formula_worth.cpp
     values/function_names.cpp
     values/number_text.cpp
+    values/presets.cpp
     values/renaming.cpp
     values/text_template.cpp
     values/tokens.cpp

@@ -2,6 +2,7 @@
 
 #include "core/base/letters.h"
 #include "core/values/expression_words.h"
+#include "core/values/presets.h"
 
 #include <algorithm>
 #include <cassert>
@@ -56,7 +57,11 @@ Understood<Values> changedValue(Values values, Value value)
     if (value.name != known->value.name)
         if (const auto checked = checkFreeName(values, value); !checked)
             return tl::unexpected(checked.error());
+    const bool isOtherKind = value.kind != known->value.kind;
+    const ValueId id = value.id;
     known = makeValue(std::move(value));
+    if (isOtherKind)
+        dropSettings(values, id);
     return values;
 }
 
@@ -107,6 +112,7 @@ ValueRemoval removedValue(const Values &values, ValueId id, const EvaluatedValue
             known = makeValue(std::move(value));
     }
     removal.values.list.erase(removal.values.list.begin() + index);
+    dropSettings(removal.values, id);
     return removal;
 }
 
@@ -137,6 +143,7 @@ ValueMerge mergedValues(const Values &values, const Values &others, std::int64_t
         merge.ids[known->value.id] = value.id;
         merge.values.list.push_back(makeValue(std::move(value)));
     }
+    mergePresets(merge.values, others, merge.ids);
     return merge;
 }
 

@@ -39,8 +39,9 @@ struct ValueMerge
     std::map<ValueId, ValueId> ids; // of the others, what they have now
     Renames renames;                // of the others, for their texts elsewhere (renamedIn())
 };
-/// Brings values of another model along. Of names that clash the other's gets a number, in all of
-/// its texts, and so does one that is no good name; all others stay.
+/// Brings values of another model along, and its presets as far as they are of these. Of names that
+/// clash the other's gets a number, in all of its texts, and so does one that is no good name; all
+/// others stay.
 ///
 /// firstId  this and those behind it are free
 ValueMerge mergedValues(const Values &values, const Values &others, std::int64_t firstId);

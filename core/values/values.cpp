@@ -48,7 +48,10 @@ bool Values::operator==(const Values &other) const
     return std::equal(list.begin(), list.end(), other.list.begin(), other.list.end(),
                       [](const ValuePointer &a, const ValuePointer &b) {
                           return a == b || a->value == b->value;
-                      });
+                      }) &&
+           std::equal(
+               presets.begin(), presets.end(), other.presets.begin(), other.presets.end(),
+               [](const PresetPointer &a, const PresetPointer &b) { return a == b || *a == *b; });
 }
 
 Message sentenceOf(const Value &value, const ExpressionError &error)

@@ -32,6 +32,7 @@ struct Value
     ValueRange range;                 // of numbers
     std::vector<std::string> choices; // of ValueKind::Choice
     std::string note;
+    std::string group;    // the heading that it stands under; empty: none
     bool isShown = false; // to whoever adjusts the design
 
     bool operator==(const Value &) const = default;
@@ -49,11 +50,32 @@ using ValuePointer = std::shared_ptr<const KnownValue>;
 /// Reads what was typed, once.
 ValuePointer makeValue(Value value);
 
+/// What is typed for a value when a preset is chosen: a number, a text or a choice, of no names.
+struct Setting
+{
+    ValueId value;
+    std::string typed;
+    Reading reading;
+
+    bool operator==(const Setting &) const = default;
+};
+
+/// A set of settings with a name, such as "A5"; edits are in presets.h.
+struct Preset
+{
+    std::string name;
+    std::vector<Setting> settings; // ascending by value, each once; not empty
+
+    bool operator==(const Preset &) const = default;
+};
+using PresetPointer = std::shared_ptr<const Preset>;
+
 /// As they are listed; the order says nothing about what is made of what. A value itself, cheap to
 /// copy; edits are in value_edits.h.
 struct Values
 {
     std::vector<ValuePointer> list;
+    std::vector<PresetPointer> presets; // no two names alike but for capitals
 
     /// In the list, or -1. O(values)
     int indexOf(ValueId id) const;
@@ -63,7 +85,10 @@ struct Values
     const Value *find(std::string_view name) const;
 
     /// The same objects.
-    bool isSame(const Values &other) const { return list == other.list; }
+    bool isSame(const Values &other) const
+    {
+        return list == other.list && presets == other.presets;
+    }
     /// The same values.
     bool operator==(const Values &other) const;
 };

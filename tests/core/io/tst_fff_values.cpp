@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/fff_format.h"
+#include "core/values/presets.h"
 #include "tests/core/operations/driven_models.h"
 #include "tests/test_program.h"
 
@@ -17,6 +18,7 @@ class TestFffValues : public QObject
 
 private Q_SLOTS:
     void files();
+    void presets();
     void whatOpensForAdjusting();
 };
 
@@ -62,6 +64,44 @@ void TestFffValues::files()
         const auto failed = io::readFff(wrong);
         QVERIFY2(!failed && failed.error().place.find("values") != std::string::npos, to);
     }
+}
+
+void TestFffValues::presets()
+{
+    Document document = withValue(withValue(shelf(), "w", "3 mm"), "n", "3", ValueKind::Count);
+    for (const char *name : {"w", "n"}) {
+        Value value = *document.values.find(std::string_view(name));
+        value.isShown = true;
+        value.group = "Size, and \"more\"";
+        value.reading.commas = Commas::Decimals;
+        document = changeValue(std::move(document), value).value();
+    }
+    document.values = withPreset(document.values, takenPreset(document.values, "A5"));
+    document.values = withPreset(document.values, takenPreset(document.values, "four \"shelves\""));
+    const std::string text = io::writeFff(document).value();
+    const auto read = io::readFff(text);
+    QVERIFY(read && read->document == document);
+    QCOMPARE(io::writeFff(read->document).value(), text);
+    const std::string w = std::to_string(idOf(document, "w").value);
+    const std::string n = std::to_string(idOf(document, "n").value);
+    for (const auto &[from, to] : {std::pair<std::string, std::string>{"\"A5\"", "\"a=5\""},
+                                   {"\"A5\"", "\"FOUR \\\"shelves\\\"\""},
+                                   {"{\"value\": " + n, "{\"value\": " + w},
+                                   {"{\"value\": " + n, "{\"value\": 0"},
+                                   {"\"settings\"", "\"set\""}}) {
+        std::string wrong = text;
+        QVERIFY2(wrong.find(from) != wrong.npos, from.c_str());
+        wrong.replace(wrong.find(from), from.size(), to);
+        const auto failed = io::readFff(wrong);
+        QVERIFY2(!failed && failed.error().place.find("presets") != std::string::npos, to.c_str());
+    }
+    // Of a value that is none here, a setting is nothing.
+    std::string other = text;
+    for (std::size_t at; (at = other.find("{\"value\": " + w)) != other.npos;)
+        other.replace(at, 10 + w.size(),
+                      "{\"value\": " + std::to_string(document.sections[0]->id.value));
+    const auto lacking = io::readFff(other);
+    QVERIFY(lacking && lacking->document.values.presets[0]->settings.size() == 1);
 }
 
 // Wrong: what was handed on opens as what it was made in.
