@@ -105,17 +105,31 @@ QStringList settingsOf(const TableRow &names, const TableRow &row)
     return settings;
 }
 
+/// The name of a column of our own, which no value's is, whatever its capitals.
+QString ownColumn(const QStringList &values, QString name)
+{
+    while (values.contains(name, Qt::CaseInsensitive))
+        name += QStringLiteral("_");
+    return name;
+}
+
+/// The names of values between the line's number and what became of it.
+QStringList headOf(const QStringList &values)
+{
+    QStringList head{ownColumn(values, QStringLiteral("line"))};
+    head += values;
+    head += ownColumn(values, QStringLiteral("file"));
+    for (const auto &[column, subject] : kVerdictColumns)
+        head += ownColumn(values, QLatin1String(column));
+    head += ownColumn(values, QStringLiteral("problem"));
+    return head;
+}
+
 /// A file for each line, and the table of what became of them. The status to return.
 int makeAll(const Document &document, const std::vector<TableRow> &rows, const io::Format &format,
             const QDir &folder, const QString &table)
 {
-    QStringList head{QStringLiteral("line")};
-    head += rows.front().cells;
-    head += QStringLiteral("file");
-    for (const auto &[column, subject] : kVerdictColumns)
-        head += QLatin1String(column);
-    head += QStringLiteral("problem");
-    QString verdicts = csvRow(head);
+    QString verdicts = csvRow(headOf(rows.front().cells));
     const auto digits = static_cast<int>(std::to_string(rows.back().line).size());
     int status = Done;
     for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -6,6 +6,8 @@
 #include "core/model/bindings.h"
 #include "core/model/edits.h"
 #include "core/operations/driven.h"
+#include "core/values/presets.h"
+#include "core/values/value_edits.h"
 #include "tests/app/cli_run.h"
 #include "tests/core/operations/operation_models.h"
 #include "tests/test_program.h"
@@ -57,10 +59,12 @@ private Q_SLOTS:
     void initTestCase();
     void listing();
     void setEqualsTyping();
+    void presetsAreSettings();
     void optionsComeAfter();
     void wrongSettings_data();
     void wrongSettings();
     void variants();
+    void columnsHaveNamesOfTheirOwn();
     void wrongLinesAreNamed();
     void tables();
     void rangesAreTried();
@@ -135,6 +139,41 @@ void TestCliValues::setEqualsTyping()
     QVERIFY(one.out != bySet.out);
 }
 
+void TestCliValues::presetsAreSettings()
+{
+    Document document = cross();
+    Value width = *document.values.find(std::string_view("width"));
+    width.isShown = true;
+    document = changeValue(std::move(document), width).value();
+    document.values = withPreset(document.values, takenPreset(document.values, "A5"));
+    document.values = withPreset(
+        document.values,
+        takenPreset(typedValue(document.values, width.id, "125 mm", {}).value(), "wide one"));
+    const QString file = m_folder.filePath(u"presets.fff"_s);
+    QVERIFY(io::writeDocument(file, document));
+    const auto svg = [&](const QStringList &settings) {
+        QStringList arguments{u"export"_s, file, u"-o"_s, u"-"_s, u"--format"_s, u"svg"_s};
+        for (const QString &setting : settings)
+            arguments += {u"--set"_s, setting};
+        const Run made = run(arguments);
+        return made.status == 0 ? made.out : QByteArray();
+    };
+    const QByteArray wide = svg({u"width=125"_s});
+    QVERIFY(!wide.isEmpty() && wide != svg({}));
+    QCOMPARE(svg({u"Wide one"_s}), wide);
+    QCOMPARE(svg({u"width=200"_s, u"wide one"_s}), wide); // the last counts
+    QCOMPARE(svg({u"wide one"_s, u"width=100"_s}), svg({}));
+    const Run wrong = run({u"values"_s, file, u"--set"_s, u"A6"_s});
+    QCOMPARE(wrong.status, 1);
+    QVERIFY2(wrong.err.contains("A5 or wide one"), wrong.err.constData());
+    const Run text = run({u"values"_s, file, u"--set"_s, u"A5"_s});
+    QVERIFY2(text.out.contains("Presets: A5, wide one. It is set to A5."), text.out.constData());
+    const Run json = run({u"values"_s, file, u"--json"_s});
+    const QJsonArray presets = QJsonDocument::fromJson(json.out).object()["presets"_L1].toArray();
+    QCOMPARE(presets.size(), 2);
+    QCOMPARE(presets[1].toObject()["settings"_L1].toObject()["width"_L1].toString(), u"125 mm"_s);
+}
+
 void TestCliValues::optionsComeAfter()
 {
     const Run json = run(
@@ -181,6 +220,19 @@ void TestCliValues::variants()
                             u"--set"_s, u"width=125"_s, u"--set"_s, u"half=50"_s});
     QVERIFY(bytesOf(folder + u"/variant-3.svg"_s) == second.out);
     QVERIFY(bytesOf(folder + u"/variant-2.svg"_s) != second.out);
+}
+
+// Wrong: two columns of one name, of which a spreadsheet takes either.
+void TestCliValues::columnsHaveNamesOfTheirOwn()
+{
+    const QString file = m_folder.filePath(u"size.fff"_s);
+    QVERIFY(io::writeDocument(file, withNamed(withNamed(cross(), "Size", "7"), "problem", "8")));
+    const QString folder = m_folder.filePath(u"sized"_s);
+    const QString table = put(u"named.csv"_s, "Size,problem\n5,6\n");
+    QCOMPARE(run({u"variants"_s, file, u"--table"_s, table, u"-o"_s, folder}).status, 0);
+    const QByteArray head = bytesOf(folder + u"/verdicts.csv"_s).split('\r').first();
+    QVERIFY2(head.startsWith("line,Size,problem,file,connection"), head.constData());
+    QVERIFY2(head.endsWith("size_,joints,problem_"), head.constData());
 }
 
 void TestCliValues::wrongLinesAreNamed()
