@@ -93,6 +93,7 @@ target_sources(fff_ui PRIVATE
     docks/outline_tree.cpp
     docks/physics_dock.cpp
     docks/place_button.cpp
+    docks/preset_row.cpp
     docks/problem_box.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp
@@ -104,6 +105,7 @@ target_sources(fff_ui PRIVATE
     docks/value_details.cpp
     docks/value_editor.cpp
     docks/value_row.cpp
+    docks/value_rows.cpp
     docks/value_trial_job.cpp
     docks/value_trial_rows.cpp
     docks/values_dock.cpp

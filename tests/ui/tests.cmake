@@ -36,6 +36,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/docks/tst_property_pages
     ui/docks/tst_stage_failures
     ui/docks/tst_trying_out
+    ui/docks/tst_value_presets
     ui/docks/tst_value_trials
     ui/docks/tst_values_dock
     ui/docks/tst_weight_docks

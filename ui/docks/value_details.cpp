@@ -9,6 +9,7 @@
 #include "ui/properties/driven_field.h"
 #include "ui/properties/property_rows.h"
 
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -141,12 +142,20 @@ ValueDetails::ValueDetails(Workbench &bench, ValueId value, QWidget *parent)
         },
         {});
     add(
+        tr("Group"), "valueGroup", [](const Value &of) { return QString::fromStdString(of.group); },
+        [](Value &of, const QString &text) {
+            of.group = text.trimmed().toStdString();
+            return true;
+        },
+        tr("heading above it"));
+    add(
         tr("Note"), "valueNote", [](const Value &of) { return QString::fromStdString(of.note); },
         [](Value &of, const QString &text) {
             of.note = text.trimmed().toStdString();
             return true;
         },
         tr("what it is for"));
+    addShown();
     addDelete();
 }
 
@@ -245,6 +254,27 @@ void ValueDetails::addRange()
     addBound(tr("Least"), "valueLeast", &ValueRange::least, tr("any"));
     addBound(tr("Most"), "valueMost", &ValueRange::most, tr("any"));
     addBound(tr("Step"), "valueStep", &ValueRange::step, tr("any"));
+}
+
+void ValueDetails::addShown()
+{
+    auto *shown = new QCheckBox(tr("Shown to others"), this);
+    shown->setToolTip(tr("It can be set where the design is handed on for adjusting"));
+    connect(shown, &QCheckBox::clicked, this, [this](bool isOn) {
+        change([isOn](Value &of) {
+            of.isShown = isOn;
+            return true;
+        });
+    });
+    auto *row = new EditorRow(
+        {}, "valueShown", shown,
+        [this, shown] {
+            if (const Value *of = value())
+                shown->setChecked(of->isShown);
+        },
+        this);
+    layout()->addWidget(row);
+    m_rows.push_back(row);
 }
 
 void ValueDetails::addDelete()

@@ -37,6 +37,7 @@ private:
                      const QString &placeholder);
     void addKind();
     void addRange();
+    void addShown();
     void addDelete();
     void change(const std::function<bool(Value &)> &how);
     void make(SectionEdit edit);

@@ -23,7 +23,7 @@ namespace {
 enum ValueColumn { kValueName, kValueEditor, kValueMore, kValueColumns };
 enum ValueLine { kValueItself, kValueNote, kValueProblem, kValueDetails };
 
-constexpr int kValueNameWidth = 88, kValueHeight = 30; // px
+constexpr int kValueNameWidth = 88, kValueHeight = 30, kBelowNote = 10; // px
 
 } // namespace
 
@@ -45,6 +45,7 @@ ValueRow::ValueRow(Workbench &bench, ValueId value, QWidget *parent)
     m_note->setWordWrap(true);
     m_note->setTextFormat(Qt::PlainText);
     m_note->setForegroundRole(QPalette::PlaceholderText);
+    m_note->setContentsMargins(0, 0, 0, kBelowNote); // it is of the row above it
     m_note->hide();
     m_problem = new QLabel(this);
     m_problem->setObjectName(QStringLiteral("valueProblem"));

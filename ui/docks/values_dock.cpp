@@ -8,7 +8,8 @@
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
-#include "ui/docks/value_row.h"
+#include "ui/docks/preset_row.h"
+#include "ui/docks/value_rows.h"
 #include "ui/docks/value_trial_rows.h"
 #include "ui/properties/driven_field.h"
 #include "ui/settings/settings.h"
@@ -18,8 +19,6 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace fff::ui {
 
@@ -67,13 +66,18 @@ ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
     column->setSpacing(kBelowRows);
     column->addWidget(m_purpose);
     column->addWidget(m_empty);
-    m_column = new QVBoxLayout;
-    m_column->setSpacing(2);
-    column->addLayout(m_column);
+    m_presets = new PresetRow(bench, page);
+    column->addWidget(m_presets);
+    connect(m_presets, &PresetRow::namingBegun, area,
+            [this, area] { area->ensureWidgetVisible(m_presets); });
+    m_rows = new ValueRows(bench, page);
+    connect(m_rows, &ValueRows::hovered, this, &ValuesDock::light);
+    column->addWidget(m_rows);
     column->addWidget(m_problems);
     m_trials = new ValueTrialRows(bench, page);
     column->addWidget(m_trials);
     column->addWidget(m_add);
+    column->addWidget(m_presets->first());
     column->addWidget(m_handOn);
     column->addStretch(1);
     area->setWidget(page);
@@ -96,8 +100,7 @@ void ValuesDock::addNew()
     if (!tryEdit(m_bench, valueAdded(document, std::move(value))).isEmpty())
         return;
     refresh();
-    if (!m_rows.empty())
-        m_rows.back()->beginNaming();
+    m_rows->beginNaming(m_bench.session().committed().document.values.list.back()->value.id);
 }
 
 void ValuesDock::setAdjustsOnly(bool only)
@@ -107,58 +110,10 @@ void ValuesDock::setAdjustsOnly(bool only)
                      : DockWidgetClosable | DockWidgetMovable | DockWidgetFloatable);
     for (QToolButton *button : titleBarWidget()->findChildren<QToolButton *>())
         button->setVisible(!only);
-    for (ValueRow *row : m_rows)
-        row->setAdjustsOnly(only);
+    m_presets->setAdjustsOnly(only);
+    m_rows->setAdjustsOnly(only);
     m_trials->setOffered(!only);
     refresh();
-}
-
-std::vector<ValuePointer> ValuesDock::listed() const
-{
-    std::vector<ValuePointer> list = m_bench.session().model().document.values.list;
-    if (m_adjustsOnly)
-        std::erase_if(list, [](const ValuePointer &known) { return !known->value.isShown; });
-    return list;
-}
-
-/// Rows that are there stay, with what is typed in them and what is unfolded.
-void ValuesDock::makeRows()
-{
-    const std::vector<ValuePointer> list = listed();
-    const bool isSame = std::equal(m_rows.begin(), m_rows.end(), list.begin(), list.end(),
-                                   [](const ValueRow *row, const ValuePointer &known) {
-                                       return row->value() == known->value.id;
-                                   });
-    if (isSame)
-        return;
-    std::vector<ValueRow *> before = std::move(m_rows);
-    m_rows.clear();
-    for (const ValuePointer &known : list) {
-        const ValueId id = known->value.id;
-        const auto found = std::find_if(before.begin(), before.end(), [id](const ValueRow *row) {
-            return row && row->value() == id;
-        });
-        ValueRow *row = found == before.end() ? nullptr : std::exchange(*found, nullptr);
-        if (!row) {
-            row = new ValueRow(m_bench, id, widget());
-            row->setObjectName(QStringLiteral("valueRow"));
-            row->setAdjustsOnly(m_adjustsOnly);
-            connect(row, &ValueRow::hovered, this, [this, id](bool isOver) { light(id, isOver); });
-        }
-        m_column->removeWidget(row);
-        m_column->addWidget(row);
-        row->refresh();
-        dress(row);
-        row->show();
-        m_rows.push_back(row);
-    }
-    for (ValueRow *row : before) {
-        if (!row)
-            continue;
-        light(row->value(), false);
-        row->hide();
-        row->deleteLater(); // it may be the one who asks
-    }
 }
 
 QString ValuesDock::notFollowing() const
@@ -173,9 +128,8 @@ void ValuesDock::refresh()
 {
     if (!isVisible())
         return;
-    makeRows();
-    for (ValueRow *row : m_rows)
-        row->refresh();
+    m_presets->refresh();
+    m_rows->refresh();
     refreshAround();
     m_trials->refresh();
     const QString problems = notFollowing();
@@ -191,7 +145,7 @@ void ValuesDock::refreshAround()
 {
     const bool hasShown = hasShownValue(m_bench.session().model().document.values);
     m_purpose->setVisible(m_adjustsOnly && hasShown);
-    m_empty->setVisible(m_rows.empty());
+    m_empty->setVisible(m_rows->isEmpty());
     m_empty->setText(
         m_adjustsOnly
             ? tr("There is nothing to adjust in this design.")

@@ -1,4 +1,4 @@
-// The values of the design, to be adjusted: a row each, in the order in which they were made.
+// The values of the design, to be adjusted: a row each, in their groups, and presets above them.
 // Pointing at one lights the sections that follow it.
 #pragma once
 
@@ -8,15 +8,13 @@
 
 #include <QString>
 
-#include <vector>
-
 class QLabel;
 class QPushButton;
-class QVBoxLayout;
 
 namespace fff::ui {
 
-class ValueRow;
+class PresetRow;
+class ValueRows;
 class ValueTrialRows;
 class Workbench;
 
@@ -39,8 +37,6 @@ protected:
 
 private:
     void refresh();
-    void makeRows();
-    std::vector<ValuePointer> listed() const;
     void refreshAround();
     void light(ValueId value, bool isOver);
     QString notFollowing() const;
@@ -50,9 +46,9 @@ private:
     QPushButton *m_add = nullptr, *m_handOn = nullptr;
     QLabel *m_empty = nullptr;
     QLabel *m_problems = nullptr; // of numbers that do not follow
-    QVBoxLayout *m_column = nullptr;
+    PresetRow *m_presets = nullptr;
+    ValueRows *m_rows = nullptr;
     ValueTrialRows *m_trials = nullptr;
-    std::vector<ValueRow *> m_rows;
     ValueId m_lit;
     bool m_adjustsOnly = false;
 };

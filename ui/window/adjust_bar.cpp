@@ -18,7 +18,7 @@ AdjustBar::AdjustBar(const ActionSet &actions, QWidget *parent)
     setIconSize({20, 20});
     setFixedHeight(44);
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    actions.fill(this, {"edit.undo", "edit.redo", "", "view.fitAll"});
+    actions.fill(this, {"edit.undo", "edit.redo", "", "view.fitAll", "check.showAssembly"});
     for (QAction *action : this->actions())
         if (QWidget *button = widgetForAction(action); button && !action->isSeparator())
             button->setFocusPolicy(Qt::TabFocus); // a click leaves it where it was

@@ -1,5 +1,6 @@
 #include "ui/window/adjusting.h"
 
+#include "core/interaction/value_editing.h"
 #include "ui/actions/action_set.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/values_dock.h"
@@ -20,13 +21,16 @@ constexpr Text kOnlyAdjusted =
     FFF_TEXT("Command", "The model is here to be adjusted; “Edit the design” brings all back");
 
 constexpr std::string_view kLetThrough[] = {
-    "file.new",        "file.open",     "file.save",        "file.saveAs",     "file.revert",
-    "file.export",     "file.settings", "file.exportAgain", "file.shortcuts",  "file.close",
-    "file.quit",       "edit.undo",     "edit.redo",        "edit.find",       "view.front",
-    "view.top",        "view.right",    "view.back",        "view.bottom",     "view.left",
-    "view.iso",        "view.fitAll",   "view.previous",    "view.nextPane",   "view.previousPane",
-    "view.xray",       "view.shadow",   "view.perspective", "view.fullScreen", "view.values",
-    "help.firstSteps", "help.start",    "help.about",       "value.set",       "value.handOn"};
+    "file.new",          "file.open",   "file.save",       "file.saveAs",
+    "file.revert",       "file.export", "file.settings",   "file.exportAgain",
+    "file.shortcuts",    "file.close",  "file.quit",       "edit.undo",
+    "edit.redo",         "edit.find",   "view.front",      "view.top",
+    "view.right",        "view.back",   "view.bottom",     "view.left",
+    "view.iso",          "view.fitAll", "view.previous",   "view.nextPane",
+    "view.previousPane", "view.xray",   "view.shadow",     "view.perspective",
+    "view.fullScreen",   "view.values", "help.firstSteps", "help.start",
+    "help.about",        "value.set",   "value.handOn",    "preset.take",
+    "check.showAssembly"};
 
 /// Whether anything is left of it; what opens beside it goes with all that is in there.
 bool showUsed(QMenu &menu)
@@ -56,7 +60,18 @@ Adjusting::Adjusting(Workbench &bench, ActionSet &actions, WindowLayout &layout,
     m_layout.setOnly(nullptr, &m_bar);
     connect(&bench.session(), &Session::modelChanged, this, &Adjusting::follow);
     connect(&bench.session(), &Session::committedChanged, this, &Adjusting::follow);
+    connect(&bench.session(), &Session::replaced, this, [this] { m_isOpened = true; });
     follow();
+}
+
+void Adjusting::offerValues()
+{
+    if (!m_isOpened || !m_values.window()->isVisible())
+        return;
+    m_isOpened = false;
+    const bool hasShown = hasShownValue(m_bench.session().committed().document.values);
+    if (hasShown && !m_isOn && !m_layout.isHidden())
+        m_layout.show(&m_values);
 }
 
 bool Adjusting::lets(std::string_view command)

@@ -31,6 +31,9 @@ public:
     /// What can be done to a model that is only adjusted: to look at it, to save and export it, and
     /// to have all of it again.
     static bool lets(std::string_view command);
+    /// Brings the values to the front where a model was opened that shows some, once; call when the
+    /// window shows it.
+    void offerValues();
 
 Q_SIGNALS:
     void changed();
@@ -46,6 +49,7 @@ private:
     AdjustBar &m_bar;
     std::vector<QMenu *> m_menus; // of the bar, but for those that nobody sees
     bool m_isOn = false;
+    bool m_isOpened = false; // another model, whose values were not offered yet
 };
 
 } // namespace fff::ui

@@ -321,6 +321,7 @@ void MainWindow::showDocument()
     m_middle->setCurrentWidget(m_view);
     m_layout->setAway(false);
     m_status->setStanding({});
+    m_adjusting->offerValues();
     m_view->setFocus();
 }
 
@@ -505,6 +506,7 @@ void MainWindow::showEvent(QShowEvent *event)
         return;
     m_wasShown = true;
     m_layout->windowShown();
+    m_adjusting->offerValues();
     m_view->setFocus();
 }
 

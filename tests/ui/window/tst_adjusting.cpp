@@ -53,6 +53,7 @@ private Q_SLOTS:
     void handingOnAndEditingAreSteps();
     void theAuthorsWindowComesBackAsItWas();
     void aFileOpensLikeThat();
+    void whoOpensValuesSeesThem();
     void withoutAShownValueThereIsNothingToHandOn();
 
 private:
@@ -128,11 +129,13 @@ void TestAdjusting::menusHaveNoMoreThanCanBeDone()
         QVERIFY2(rows > 0, qPrintable(action->text()));
     }
     QCOMPARE(menus, (QStringList{QStringLiteral("File"), QStringLiteral("Edit"),
-                                 QStringLiteral("View"), QStringLiteral("Help")}));
+                                 QStringLiteral("View"), QStringLiteral("Checks"),
+                                 QStringLiteral("Help")}));
     QSet<QString> found;
     for (const ListedAction &listed : listedActions(*m_window->menuBar()))
         found += listed.id;
-    for (const char *id : {"file.save", "file.export", "edit.undo", "view.fitAll", "value.handOn"})
+    for (const char *id : {"file.save", "file.export", "edit.undo", "view.fitAll", "value.handOn",
+                           "check.showAssembly"})
         QVERIFY2(found.contains(QLatin1String(id)), id);
     for (const char *id : {"section.pen", "edit.delete", "edit.paste", "file.insert", "view.hide",
                            "operation.linear", "fabricate.stocks", "view.newValue"})
@@ -261,6 +264,22 @@ void TestAdjusting::aFileOpensLikeThat()
     session().reset(squareDocument());
     QVERIFY(m_window->findChild<MainToolBar *>()->isVisible());
     QVERIFY(!m_window->findChild<AdjustBar *>()->isVisible());
+}
+
+// Wrong: a sample with sliders opens, and nobody sees that it has some.
+void TestAdjusting::whoOpensValuesSeesThem()
+{
+    const QString path = m_folder->filePath(QStringLiteral("design.fff"));
+    QVERIFY(io::writeDocument(path, handed(false)));
+    QVERIFY(!dock().isVisible());
+    QVERIFY(m_window->files().openFile(path));
+    m_window->showDocument();
+    QTRY_VERIFY(dock().isVisible() && !dock().visibleRegion().isEmpty());
+    QCOMPARE(shownRows().first(), QStringLiteral("width"));
+    // Once: who closes the panel has it closed.
+    dock().close();
+    m_window->showDocument();
+    QVERIFY(!dock().isVisible());
 }
 
 void TestAdjusting::withoutAShownValueThereIsNothingToHandOn()
