@@ -6,6 +6,7 @@
 #include "core/model/bindings.h"
 #include "core/operations/evaluate.h"
 #include "core/session/message_text.h"
+#include "core/values/presets.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -115,6 +116,7 @@ private Q_SLOTS:
     void thereAreSix();
     void eachValueCanBeSetToWhatItIs();
     void allPlacesOfTheRangesAreGood();
+    void presetsAreInTheRanges();
     void aSliderLeavesNoTrace();
     void allWaysLeadToTheSamePlace();
     void anyNameFitsItsPlate();
@@ -160,6 +162,28 @@ void TestAdjustableSamples::allPlacesOfTheRangesAreGood()
                 QVERIFY2(worst < Severity::Warning, saidOf(sample, place));
         }
     }
+}
+
+// So they are good, too.
+void TestAdjustableSamples::presetsAreInTheRanges()
+{
+    int count = 0;
+    for (const AdjustableSample &sample : adjustableSamples())
+        for (const PresetPointer &preset : sample.model.document.values.presets) {
+            Document document = sample.model.document;
+            document.values = setByPreset(document.values, *preset);
+            const Model set = evaluate(document, sample.model);
+            QVERIFY2(set.evaluation.drivingErrors.empty(), preset->name.c_str());
+            QCOMPARE(presetInUse(set.document.values)->name, preset->name);
+            for (const RangedValue &value : sample.values) {
+                const double now = value.now(set);
+                QVERIFY2(value.least <= now && now <= value.most &&
+                             std::abs(value.settable(now) - now) < 1e-9,
+                         (preset->name + ": " + value.name).c_str());
+            }
+            ++count;
+        }
+    QVERIFY(count > 6);
 }
 
 // Wrong: a model that is another one after a slider went to both ends and back.

@@ -54,6 +54,17 @@ void drawerOrganiser(const std::string &folder)
                 .note = "Of the highest wall"});
     maker.show({.name = "columns", .kind = ValueKind::Count, .typed = "4", .least = 1, .most = 6});
     maker.show({.name = "rows", .kind = ValueKind::Count, .typed = "2", .least = 1, .most = 5});
+    maker.preset("Cutlery", {});
+    maker.preset("Pens", {{"width", "160 mm"},
+                          {"depth", "240 mm"},
+                          {"height", "40 mm"},
+                          {"columns", "3"},
+                          {"rows", "1"}});
+    maker.preset("Screws", {{"width", "300 mm"},
+                            {"depth", "240 mm"},
+                            {"height", "45 mm"},
+                            {"columns", "6"},
+                            {"rows", "5"}});
     maker.derive("column", ValueKind::Length, "(width - 16 mm)/columns", "From wall to wall");
     maker.derive("row", ValueKind::Length, "(depth - 16 mm)/rows", "From wall to wall");
 

@@ -130,6 +130,9 @@ void glassOnFourLegs(const std::string &folder)
                 .step = 1,
                 .note = "Of the glass"});
     maker.show({.name = "legs", .kind = ValueKind::Count, .typed = "4", .least = 3, .most = 6});
+    maker.preset("Tumbler", {});
+    maker.preset("Small glass", {{"diameter", "66 mm"}, {"legs", "3"}});
+    maker.preset("Mug", {{"diameter", "86 mm"}, {"legs", "5"}});
     const SectionRef disc = maker.addFigures("Shelf", lying(31.0), round(94.0));
     const SectionRef leg =
         maker.addOn(disc, "Leg", facingFront(0.0), strongLeg(), {drop({68, 34})});

@@ -13,6 +13,8 @@
 #include "core/operations/driven.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
+#include "core/values/presets.h"
+#include "core/values/value_edits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +193,14 @@ void Maker::show(const Adjustable &value)
         shown.range = {unit * value.least, unit * value.most, unit * value.step};
     }
     m_document = taken(addValue(std::move(m_document), std::move(shown)), value.name);
+}
+
+void Maker::preset(const std::string &name, const std::map<std::string, std::string> &typed)
+{
+    fff::Values set = m_document.values;
+    for (const auto &[value, text] : typed)
+        set = taken(typedValue(set, set.find(std::string_view(value))->id, text, {}), name);
+    m_document.values = withPreset(m_document.values, takenPreset(set, name));
 }
 
 void Maker::derive(const std::string &name, ValueKind kind, const std::string &typed,

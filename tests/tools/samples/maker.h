@@ -58,6 +58,8 @@ public:
     /// A value of others, with a note on what it is; nobody is asked for it.
     void derive(const std::string &name, ValueKind kind, const std::string &typed,
                 const std::string &note);
+    /// What is typed for values that are shown, by their names; of the others as it is.
+    void preset(const std::string &name, const std::map<std::string, std::string> &typed);
     /// The number of a section, an operation, … follows an expression: width, height, angle, x, y
     /// and z of a section are those of the box of its contour.
     void drive(const SectionRef &section, const std::string &field, const std::string &typed);

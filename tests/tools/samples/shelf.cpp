@@ -98,6 +98,9 @@ void shelf(const std::string &folder)
                 .step = 5,
                 .note = "Of the sides"});
     maker.show({.name = "boards", .kind = ValueKind::Count, .typed = "3", .least = 2, .most = 5});
+    maker.preset("Three shelves", {});
+    maker.preset("Four shelves", {{"height", "350 mm"}, {"boards", "4"}});
+    maker.preset("Wide", {{"width", "340 mm"}, {"depth", "110 mm"}});
 
     const double x = -(kShelfWidth / 2.0 - kShelfBeyond);
     const SectionRef side = maker.add("Side", facingRight(x), shelfSide());
