@@ -3,7 +3,9 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/ranged_values.h"
 #include "core/io/document_file.h"
+#include "core/operations/driven.h"
 #include "core/operations/evaluate.h"
+#include "tests/bench/generated_models.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/text_table.h"
 
@@ -87,12 +89,39 @@ std::optional<AdjustCost> adjustCost(const std::string &name, const Model &model
     return cost;
 }
 
+/// The number of the place follows a value of that name, which is what it is, more or less.
+Document withDriving(Document document, const char *name, const std::string &key)
+{
+    const DrivenPlace place = placeOfKey(document, key).value();
+    const double now = drivenNumber(document, place).value().worth.number;
+    Value value;
+    value.name = name;
+    value.kind = ValueKind::Length;
+    value.typed = std::to_string(now) + " mm";
+    value.range = {0.8 * now, 1.2 * now, std::nullopt};
+    value.isShown = true;
+    document = addValue(std::move(document), std::move(value)).value();
+    return bound(std::move(document), place, name).value();
+}
+
+/// 50 ribs along a spine by an operation, whose thickness, width and height are values.
+Document drivenReplicas()
+{
+    Document document = repeated("linear", false, false);
+    const std::string rib = "section/" + std::to_string(document.sections[1]->id.value);
+    const std::string stock = "stock/" + std::to_string(document.sections[1]->stock.value);
+    document = withDriving(std::move(document), "thick", stock + "/thickness");
+    document = withDriving(std::move(document), "wide", rib + "/width");
+    return withDriving(std::move(document), "high", rib + "/height");
+}
+
 } // namespace
 
 Result<std::vector<AdjustCost>> adjustCosts(const QStringList &folders,
                                             const std::optional<Kernel> &kernel)
 {
     std::vector<AdjustCost> costs;
+    costs.push_back(adjustCost("50 replicas", evaluate(drivenReplicas()), kernel).value());
     for (const QString &folder : folders)
         for (const QFileInfo &file :
              QDir(folder, QStringLiteral("*.fff")).entryInfoList(QDir::Files, QDir::Name)) {

@@ -24,7 +24,8 @@ struct AdjustCost
     double kernel = 0.0; // as in Measurement
 };
 
-/// Of the folders' models (.fff) with values that are adjusted.
+/// Of 50 replicas that follow three values, and of the folders' models (.fff) with values that are
+/// adjusted.
 /// Errors  those of reading.
 Result<std::vector<AdjustCost>> adjustCosts(const QStringList &folders,
                                             const std::optional<Kernel> &kernel);
