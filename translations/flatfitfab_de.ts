@@ -3740,6 +3740,10 @@
         <source>Meeting point</source>
         <translation>Treffpunkt</translation>
     </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -4862,6 +4866,18 @@
         <source>each number once</source>
         <translation>jede Zahl einmal</translation>
     </message>
+    <message>
+        <source>proportion, left, right, bottom or top</source>
+        <translation>proportion, left, right, bottom oder top</translation>
+    </message>
+    <message>
+        <source>a name without “=”, each once</source>
+        <translation>ein Name ohne „=“, jeder einmal</translation>
+    </message>
+    <message>
+        <source>each value once</source>
+        <translation>jeder Wert einmal</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5946,6 +5962,19 @@
     <message>
         <source>The view is turning: draw on at once, or wait until it stops.</source>
         <translation>Die Ansicht dreht sich: Zeichne gleich weiter oder warte, bis sie stillsteht.</translation>
+    </message>
+    <message>
+        <source>A preset needs a name, without “=” and blanks at its ends.</source>
+        <translation>Eine Vorgabe braucht einen Namen, ohne „=“ und ohne Leerzeichen an den Enden.</translation>
+    </message>
+    <message>
+        <source>No value is shown to others yet, so there is nothing to keep.</source>
+        <translation>Noch wird kein Wert anderen gezeigt; es gibt nichts zu behalten.</translation>
+    </message>
+    <message>
+        <source>There is no preset named “%1”.</source>
+        <extracomment>%1 is what somebody took for the name of a preset</extracomment>
+        <translation>Es gibt keine Vorgabe namens „%1“.</translation>
     </message>
 </context>
 <context>
@@ -7717,6 +7746,33 @@
         <source>Narrow the ranges</source>
         <translation>Bereiche einengen</translation>
     </message>
+    <message>
+        <source>Change how %1 follows</source>
+        <extracomment>%1 is the name of a section: how its place follows when the one that it is on is stretched</extracomment>
+        <translation>Ändern, wie %1 folgt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change how %n sections follow</source>
+        <translation>
+            <numerusform>Ändern, wie %n Scheibe folgt</numerusform>
+            <numerusform>Ändern, wie %n Scheiben folgen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep the preset %1</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>Vorgabe %1 behalten</translation>
+    </message>
+    <message>
+        <source>Set to %1</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>Auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Delete the preset %1</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>Vorgabe %1 löschen</translation>
+    </message>
 </context>
 <context>
     <name>Suggestion</name>
@@ -8780,10 +8836,6 @@
         <translation>Schneidet jede Scheibe aus diesem Material oder aus dem einer .fff-Datei.</translation>
     </message>
     <message>
-        <source>Gives a named value of the model another number; may be repeated.</source>
-        <translation>Gibt einem benannten Wert des Modells eine andere Zahl; geht mehrmals.</translation>
-    </message>
-    <message>
         <source>--set: %1</source>
         <translation>--set: %1</translation>
     </message>
@@ -8907,6 +8959,24 @@
     <message>
         <source>%1 of %2 fail:</source>
         <translation>%1 von %2 taugen nicht:</translation>
+    </message>
+    <message>
+        <source>Gives a named value of the model another number, or all that a preset sets; may be repeated.</source>
+        <translation>Gibt einem benannten Wert des Modells eine andere Zahl, oder alles, was eine Vorgabe setzt; darf mehrmals stehen.</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected NAME=VALUE, such as width=400, or a preset: %2.</source>
+        <extracomment>%2 are names of presets of values: &quot;A5 or A4&quot;</extracomment>
+        <translation>„%1“ gefunden, erwartet wurde NAME=WERT, etwa width=400, oder eine Vorgabe: %2.</translation>
+    </message>
+    <message>
+        <source>Presets: %1. It is set to %2.</source>
+        <extracomment>%1 are names of presets of values, %2 is the one that is set</extracomment>
+        <translation>Vorgaben: %1. Gesetzt ist %2.</translation>
+    </message>
+    <message>
+        <source>Presets: %1</source>
+        <translation>Vorgaben: %1</translation>
     </message>
 </context>
 <context>
@@ -9448,6 +9518,11 @@
     <message>
         <source>Changing this length scales the whole model</source>
         <translation>Eine andere Länge hier skaliert das ganze Modell</translation>
+    </message>
+    <message>
+        <source>Changing this length stretches %1 between the two places</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Eine andere Länge streckt %1 zwischen den beiden Stellen</translation>
     </message>
 </context>
 <context>
@@ -12047,6 +12122,34 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>across the horizontal</source>
         <translation>an der Waagerechten</translation>
     </message>
+    <message>
+        <source>Follows</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>in proportion</source>
+        <translation>im Verhältnis</translation>
+    </message>
+    <message>
+        <source>its left end</source>
+        <translation>dem linken Ende</translation>
+    </message>
+    <message>
+        <source>its right end</source>
+        <translation>dem rechten Ende</translation>
+    </message>
+    <message>
+        <source>its lower end</source>
+        <translation>dem unteren Ende</translation>
+    </message>
+    <message>
+        <source>its upper end</source>
+        <translation>dem oberen Ende</translation>
+    </message>
+    <message>
+        <source>How its place follows when a value stretches the section that it is on: as far as that is stretched there, or at its distance from an end</source>
+        <translation>Wie ihr Platz folgt, wenn ein Wert die Scheibe streckt, auf der sie sitzt: so weit, wie jene dort gestreckt wird, oder in ihrem Abstand zu einem Ende</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::PointGroup</name>
@@ -12093,6 +12196,44 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Symmetric</source>
         <translation>Symmetrisch</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::PresetRow</name>
+    <message>
+        <source>Preset</source>
+        <extracomment>a set of settings of a design&apos;s values that has a name, such as A5</extracomment>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <extracomment>in place of a preset&apos;s name: what is set is none of them</extracomment>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Name der Vorgabe</translation>
+    </message>
+    <message>
+        <source>A5, four shelves …</source>
+        <extracomment>names of presets as they could be</extracomment>
+        <translation>A5, vier Böden …</translation>
+    </message>
+    <message>
+        <source>Keep what is set now as a preset</source>
+        <translation>Was jetzt gesetzt ist, als Vorgabe behalten</translation>
+    </message>
+    <message>
+        <source>Delete this preset</source>
+        <translation>Diese Vorgabe löschen</translation>
+    </message>
+    <message>
+        <source>Keep as a preset</source>
+        <translation>Als Vorgabe behalten</translation>
+    </message>
+    <message>
+        <source>Gives what is set now a name, such as A5, to come back to it</source>
+        <translation>Gibt dem, was jetzt gesetzt ist, einen Namen, etwa A5, um darauf zurückzukommen</translation>
     </message>
 </context>
 <context>
@@ -14505,6 +14646,22 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>What is made of it becomes plain numbers</source>
         <translation>Was aus ihm entsteht, wird zu einfachen Zahlen</translation>
     </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>heading above it</source>
+        <translation>Überschrift darüber</translation>
+    </message>
+    <message>
+        <source>Shown to others</source>
+        <translation>Anderen gezeigt</translation>
+    </message>
+    <message>
+        <source>It can be set where the design is handed on for adjusting</source>
+        <translation>Er lässt sich einstellen, wo der Entwurf zum Anpassen weitergegeben wird</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ValueEditor</name>
@@ -14522,6 +14679,13 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kind, range and note</source>
         <translation>Art, Bereich und Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ValueRows</name>
+    <message>
+        <source>Not shown to others</source>
+        <translation>Anderen nicht gezeigt</translation>
     </message>
 </context>
 <context>

@@ -654,6 +654,13 @@
             <numerusform>Change rotation of %n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Change how %n sections follow</source>
+        <translation>
+            <numerusform>Change how %n section follows</numerusform>
+            <numerusform>Change how %n sections follow</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Suggestion</name>
