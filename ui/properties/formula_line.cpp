@@ -53,13 +53,14 @@ void FormulaLine::enter()
 
 void FormulaLine::keyPressEvent(QKeyEvent *event)
 {
-    event->accept();
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         enter();
     else if (event->key() == Qt::Key_Escape)
         close();
     else
         QLineEdit::keyPressEvent(event);
+    // Also what a line of text has no use for, such as Shift: the field would hand it on to here.
+    event->accept();
 }
 
 /// As of other fields: what cannot be taken is told and gone.

@@ -26,6 +26,7 @@ private Q_SLOTS:
     void cleanup() { end(); }
 
     void theFieldKeepsWhatWasTyped();
+    void shiftIsNoLetter();
     void aPlainNumberEndsAnExpression();
     void namesComplete();
     void wrongOnesSayWhyAndChangeNothing();
@@ -80,6 +81,31 @@ void TestFollowedFields::theFieldKeepsWhatWasTyped()
     field = in<NumberEdit>("half");
     QVERIFY2(field->text().startsWith(QStringLiteral("10")), qPrintable(field->text()));
     QVERIFY(field->follows());
+}
+
+// Wrong: whoever pressed Shift for a "*" was out of the program.
+void TestFollowedFields::shiftIsNoLetter()
+{
+    open(adjustable());
+    auto *half = in<NumberEdit>("half");
+    activate();
+    half->setFocus();
+    half->selectAll();
+    const auto press = [this](Qt::Key key, const QString &text = {}) {
+        QTest::sendKeyEvent(QTest::Click, m_window->focusWidget(), key, text, Qt::NoModifier);
+    };
+    press(Qt::Key_Shift);
+    press(Qt::Key_Equal, QStringLiteral("="));
+    press(Qt::Key_2, QStringLiteral("2"));
+    press(Qt::Key_Shift);
+    press(Qt::Key_Asterisk, QStringLiteral("*"));
+    press(Qt::Key_Control);
+    press(Qt::Key_Up);
+    for (const QChar letter : QStringLiteral("width"))
+        press(Qt::Key_W, QString(letter));
+    press(Qt::Key_Shift);
+    press(Qt::Key_Return, QStringLiteral("\r"));
+    QCOMPARE(document().values.find(std::string_view("half"))->typed, std::string("2*width"));
 }
 
 void TestFollowedFields::aPlainNumberEndsAnExpression()
