@@ -4,6 +4,8 @@
 #include "core/values/number_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -19,8 +21,11 @@ constexpr Text kDisagree =
 constexpr Text kNoPlace = FFF_TEXT("Driven", "What this number belongs to is not there any more.");
 
 /// A chain of sections on each other needs as many as it is long, where all have a place by
-/// numbers.
-constexpr int kMostRounds = 100;
+/// numbers; a length within another one that is hardly longer comes near it by a small share in
+/// each.
+constexpr int kMostRounds = 1000;
+constexpr int kRoundsToJudge = 100;
+constexpr double kNearer = 0.9; // of what was apart as many rounds before
 
 Message atPlace(const Document &document, const DrivenPlace &place, const Message &sentence)
 {
@@ -77,12 +82,17 @@ public:
         workOut();
         for (int round = 0; m_errors.empty() && round < kMostRounds; ++round) {
             m_disagreeing = nullptr;
+            m_refused.reset();
+            m_isWritten = false;
+            m_apart = 0.0;
             for (const BindingPointer &pointer : m_bindings)
                 follow(*pointer);
-            if (!m_disagreeing)
+            if (!m_disagreeing || !m_isWritten || !comesNearer(round))
                 break;
         }
-        if (m_errors.empty() && m_disagreeing)
+        if (m_errors.empty() && m_refused)
+            m_errors.push_back(*std::move(m_refused));
+        else if (m_errors.empty() && m_disagreeing)
             fail(m_disagreeing->place, {kDisagree, {quotedAll(*m_disagreeing)}});
         if (m_errors.empty())
             keepResults();
@@ -112,6 +122,14 @@ private:
             if (const Understood<Worth> worth = worthOf(*pointer); !worth)
                 fail(pointer->binding.place, worth.error().message);
     }
+    /// Asked now and then: two that want different things stay as far apart as they were.
+    bool comesNearer(int round)
+    {
+        if (round % kRoundsToJudge != 0)
+            return true;
+        const double before = std::exchange(m_apartBefore, m_apart);
+        return m_apart < kNearer * before;
+    }
     void follow(const KnownBinding &known)
     {
         if (!m_errors.empty())
@@ -127,11 +145,17 @@ private:
         if (isSameWorth(number->worth, *worth))
             return;
         m_disagreeing = &binding;
+        m_apart = std::max(m_apart, std::abs(number->worth.number - worth->number));
         Result<Document> next = withDrivenNumber(m_document, binding.place, *worth);
-        if (next)
+        // What has no room now may have it when others are where they go: a hole that grows before
+        // the disc around it.
+        if (next) {
             m_document = *std::move(next);
-        else
-            fail(binding.place, whyNotWritten(binding, *worth, next.error()));
+            m_isWritten = true;
+        } else if (!m_refused) {
+            m_refused = {binding.place, atPlace(m_document, binding.place,
+                                                whyNotWritten(binding, *worth, next.error()))};
+        }
     }
     void keepResults()
     {
@@ -152,7 +176,12 @@ private:
     const std::vector<BindingPointer> m_bindings; // whatever becomes of those of the document
     Names m_names;
     std::vector<DrivingError> m_errors;
-    const Binding *m_disagreeing = nullptr; // one that was not as it should be in this round
+    // Of this round:
+    const Binding *m_disagreeing = nullptr; // one that was not as it should be
+    std::optional<DrivingError> m_refused;  // the first that could not be made so
+    bool m_isWritten = false;               // one was made so
+    double m_apart = 0.0;                   // of numbers, how far they were from it at most
+    double m_apartBefore = std::numeric_limits<double>::infinity(); // some rounds ago
 };
 
 /// All numbers with bindings follow these, whatever they are now; or, with an error, none does.

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void sectionsOnSections();
     void wordsFollow();
     void wordsStayWordsOnAStretchedSection();
+    void allAreSetBeforeOneIsRefused();
     void twoThatDisagree();
     void renameIsEverywhere();
     void removalLeavesNumbers();
@@ -227,6 +228,34 @@ void TestDriven::wordsStayWordsOnAStretchedSection()
     QVERIFY(narrow);
     QCOMPARE(narrow->text, std::string("2 of 9"));
     QVERIFY((narrow->at - Vec2(150, 20)).norm() < 1e-9);
+}
+
+// Wrong: a disc and its hole that both become larger, or smaller: whichever went first had no room,
+// and values that are fine could not be reached from others that are.
+void TestDriven::allAreSetBeforeOneIsRefused()
+{
+    Document document = newDocument();
+    Figure disc = newFigure(*figureKind("circle")), hole = disc;
+    disc.numbers = {100.0};
+    hole.numbers = {80.0};
+    const SectionId ring =
+        add(document, "Ring", shapeOf(contourOf(disc).value(), {contourOf(hole).value()}),
+            frontFrame());
+    document = addFigure(std::move(document), ring, disc).value();
+    document = addFigure(std::move(document), ring, hole).value();
+    document = withValue(std::move(document), "d", "80 mm");
+    const std::string figure = "figure/" + std::to_string(ring.value);
+    document = madeOf(document, figure + "/0/diameter", "d + 20 mm");
+    document = madeOf(document, figure + "/1/diameter", "d");
+    QCOMPARE(document.bindings.size(), std::size_t(2));
+    for (const char *size : {"200 mm", "30 mm", "400 mm", "80 mm"}) {
+        document = typed(document, "d", size);
+        QVERIFY2(driven(document).errors.empty(), size);
+        QCOMPARE(numberAt(document, figure + "/0/diameter"),
+                 numberAt(document, figure + "/1/diameter") + 20.0);
+    }
+    const Document before = document;
+    QVERIFY(!driven(typeValue(document, idOf(document, "d"), "0 mm", {}).value()).errors.empty());
 }
 
 void TestDriven::twoThatDisagree()

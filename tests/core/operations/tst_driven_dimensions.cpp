@@ -68,6 +68,7 @@ private Q_SLOTS:
     void aSectionOnAnotherOneKeepsItsSlit();
     void aSymmetricSectionStaysOne();
     void childrenFollowAsTheyAreTold();
+    void oneWithinAnother();
     void whatCannotBeStretched();
     void filesKeepIt();
 };
@@ -190,6 +191,21 @@ void TestDrivenDimensions::childrenFollowAsTheyAreTold()
     QVERIFY(std::abs(driven(HoldsTo::Left, 60) - 60.0) < 1e-9);
     QVERIFY(std::abs(driven(HoldsTo::Right, 60) - 110.0) < 1e-9);
     QVERIFY(std::abs(driven(HoldsTo::Proportion, 160) - 210.0) < 1e-9);
+}
+
+// Wrong: what does not contradict was said to, since it comes near it slowly.
+void TestDrivenDimensions::oneWithinAnother()
+{
+    Document document = driving({50, 0}, {150, 0});
+    document = madeOf(document, key("section", document.sections[0]->id.value, "width"), "200 mm");
+    document = withValue(std::move(document), "all", "200 mm");
+    document = madeOf(document, key("section", document.sections[0]->id.value, "width"), "all");
+    for (const char *length : {"170 mm", "190 mm", "20 mm", "100 mm"}) {
+        document = typed(document, "w", length);
+        QVERIFY2(driven(document).errors.empty(), length);
+        QVERIFY(std::abs(sizeOf(document, 0).x() - 200.0) < 1e-6);
+    }
+    QVERIFY(!driven(typeValue(document, idOf(document, "w"), "250 mm", {}).value()).errors.empty());
 }
 
 void TestDrivenDimensions::whatCannotBeStretched()
