@@ -317,9 +317,12 @@ private:
         const int unit = isWord || isSign ? findUnitSign(pieceOf(here().place)) : -1;
         if (unit < 0)
             return of;
+        const bool isShare = here().is(U'%'); // of a hundred, of whatever stands before it alone
         ++m_at;
-        m_openUnit = add(NodeKind::Unit, from(placeOf(*of).begin), {*of}, unit);
-        return m_openUnit;
+        const std::optional<int> node = add(NodeKind::Unit, from(placeOf(*of).begin), {*of}, unit);
+        if (!isShare)
+            m_openUnit = node;
+        return node;
     }
 
     std::optional<int> name()

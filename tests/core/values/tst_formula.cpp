@@ -152,6 +152,10 @@ void TestFormula::whatIsTyped_data()
     row("7 ÷ 2 × 2", Number, 7.0);
     row("50 %", Ratio, 0.5);
     row("gap * 110 %", Length, 13.2);
+    row("100/50%", Number, 200.0);
+    row("(100)/(50 %)", Number, 200.0);
+    row("gap/200%", Length, 6.0);
+    row("50%^2", Ratio, 0.25);
     row("250", Mass, 0.25);
     row("1.5 kg + 50 g", Mass, 1.55);
     row("load/4", Mass, 0.5);
@@ -190,6 +194,17 @@ void TestFormula::commasAreAsPeopleWriteThem()
     QCOMPARE(worthOf(QStringLiteral("1.234,5"), ValueKind::Length, german)->number, 1234.5);
     QCOMPARE(worthOf(QStringLiteral("1,234.5"), ValueKind::Length)->number, 1234.5);
     QCOMPARE(worthOf(QStringLiteral("max(2,5; 1,5)"), ValueKind::Length, german)->number, 2.5);
+    // Wrong: an eighth was a hundred and twenty-five.
+    for (const auto &[text, is] : {std::pair{"0,125", 0.125},
+                                   {"00,125", 0.125},
+                                   {"1,234,567", 1234567.0},
+                                   {"1.234.567", 1234567.0},
+                                   {"12,345", 12345.0},
+                                   {"1234,567", 1234.567},
+                                   {"1,25", 1.25}})
+        QCOMPARE(worthOf(QString::fromLatin1(text), ValueKind::Length)->number, is);
+    for (const char *text : {"12,34.5", "1,2.3,4", "1.2.3", "0,125.5", "1234,567.8"})
+        QVERIFY2(!worthOf(QString::fromLatin1(text), ValueKind::Length), text);
 }
 
 // Wrong: what was typed in inches is another size to whoever has set millimetres.
