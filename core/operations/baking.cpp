@@ -3,9 +3,12 @@
 #include "core/assembly/assembly.h"
 #include "core/assembly/crossing.h"
 #include "core/base/tolerances.h"
+#include "core/geometry/contour_points.h"
 #include "core/model/edits.h"
+#include "core/model/figures.h"
 #include "core/model/operation_edits.h"
 #include "core/model/placed_loads.h"
+#include "core/model/point_edits.h"
 #include "core/model/sheet_edits.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/renamed_instances.h"
@@ -156,6 +159,59 @@ SectionRef draw(Document &document, const Section &section)
     return ref;
 }
 
+/// Of boundaries that are the same, how far apart they may be where one was put together anew, mm.
+constexpr double kSameBoundary = 1e-3;
+
+bool runsAlong(const Contour &a, const Contour &b)
+{
+    const Polygon vertices = a.polygon(kSameBoundary);
+    return std::all_of(vertices.begin(), vertices.end(), [&b](const Vec2 &vertex) {
+        const auto nearest = nearestPlace(b, vertex);
+        return nearest.distance <= 2.0 * kSameBoundary;
+    });
+}
+
+/// Of however many segments, and wherever it begins.
+bool isSameBoundary(const Contour &a, const Contour &b)
+{
+    return std::abs(a.signedArea() - b.signedArea()) <=
+               kSameBoundary * (std::abs(b.signedArea()) + 1.0) &&
+           runsAlong(a, b) && runsAlong(b, a);
+}
+
+/// That of the shape as it was drawn, where it is the same still.
+Contour asDrawn(const Contour &now, const Shape &drawn)
+{
+    for (int i = 0; i < boundaryCount(drawn); ++i)
+        if (isSameBoundary(boundary(drawn, i), now))
+            return boundary(drawn, i);
+    return now;
+}
+
+/// What the operation made the same again, a round disc round, stays the drawn boundary, and with
+/// it the shape by numbers that it is; other shapes by numbers are gone.
+SectionPointer withFiguresOf(const Section &drawn, const SectionPointer &changed)
+{
+    if (changed->shape == drawn.shape)
+        return changed;
+    std::vector<Contour> holes;
+    for (const Contour &hole : changed->shape->holes())
+        holes.push_back(asDrawn(hole, *drawn.shape));
+    Result<ShapePointer> shape =
+        Shape::make(asDrawn(changed->shape->contour(), *drawn.shape), std::move(holes));
+    if (!shape)
+        return changed;
+    Section next = *changed;
+    next.shape = *std::move(shape);
+    next.figures = drawn.figures;
+    std::vector<Figure> figures;
+    for (int i = 0; i < boundaryCount(*next.shape); ++i)
+        if (const Figure *figure = figureOf(next, i))
+            figures.push_back(*figure);
+    next.figures = std::move(figures);
+    return std::make_shared<const Section>(std::move(next));
+}
+
 /// How the slits of a, the first of a joint, are cut.
 struct Laps
 {
@@ -295,8 +351,9 @@ Result<Document> baked(const Model &model, OperationId id)
         const int index = document.indexOf(ref.drawn);
         if (index < 0)
             continue;
+        SectionPointer &drawn = document.sections[static_cast<std::size_t>(index)];
         if (section)
-            document.sections[static_cast<std::size_t>(index)] = section;
+            drawn = withFiguresOf(*drawn, section);
         else
             gone.push_back(ref.drawn);
     }

@@ -4,6 +4,7 @@
 #include "core/analysis/value_trials.h"
 #include "core/io/document_file.h"
 #include "core/model/bindings.h"
+#include "core/operations/baking.h"
 #include "core/operations/evaluate.h"
 #include "core/session/message_text.h"
 #include "core/values/presets.h"
@@ -117,6 +118,7 @@ private Q_SLOTS:
     void eachValueCanBeSetToWhatItIs();
     void allPlacesOfTheRangesAreGood();
     void presetsAreInTheRanges();
+    void bakedItStillFollows();
     void aSliderLeavesNoTrace();
     void allWaysLeadToTheSamePlace();
     void anyNameFitsItsPlate();
@@ -184,6 +186,32 @@ void TestAdjustableSamples::presetsAreInTheRanges()
             ++count;
         }
     QVERIFY(count > 6);
+}
+
+// Wrong: legs are baked, and the ring that they stand around is cut in another size than the slider
+// says.
+void TestAdjustableSamples::bakedItStillFollows()
+{
+    const auto &samples = adjustableSamples();
+    const auto glass =
+        std::find_if(samples.begin(), samples.end(),
+                     [](const AdjustableSample &one) { return one.name == "glass_four_legs"; });
+    const Document &before = glass->model.document;
+    const Document after = evaluate(*baked(glass->model, before.operations[0]->id)).document;
+    QCOMPARE(after.bindings.size(), before.bindings.size() - 1); // the number of legs
+    const auto widths = [](Document document) {
+        const ValueId id = document.values.find(std::string_view("diameter"))->id;
+        document = typeValue(std::move(document), id, "92 mm", {}).value();
+        std::vector<double> all;
+        for (const SectionPointer &section : evaluate(document).document.sections)
+            if (section->name == "Ring" || section->name == "Shelf")
+                all.push_back(section->shape->bounds().size().x());
+        return all;
+    };
+    const std::vector<double> wide = widths(before), bakedWide = widths(after);
+    QCOMPARE(bakedWide.size(), std::size_t(2));
+    for (std::size_t i = 0; i < wide.size(); ++i)
+        QVERIFY(std::abs(wide[i] - bakedWide[i]) < 1e-9);
 }
 
 // Wrong: a model that is another one after a slider went to both ends and back.
