@@ -409,6 +409,9 @@ Loaded load(const QString &file, const DocumentOptions &options, const Verb &ver
     loaded.document = std::move(read->document);
     loaded.format = read->format->key;
     loaded.status = applyOptions(loaded.document, options, verb);
+    if (!loaded.status)
+        for (const QString &sentence : notFollowing(loaded.document))
+            printError(tr("%1: %2").arg(QFileInfo(file).fileName(), sentence));
     return loaded;
 }
 

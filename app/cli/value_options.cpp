@@ -42,6 +42,17 @@ Reading typedReading()
     return reading;
 }
 
+QStringList notFollowing(const Document &document)
+{
+    const Driven model = driven(document);
+    QStringList sentences;
+    for (const ValueId id : model.values.wrong())
+        sentences += messageText(sentenceOf(*document.values.find(id), *model.values.error(id)));
+    for (const DrivingError &error : model.errors)
+        sentences += messageText(error.sentence);
+    return sentences;
+}
+
 tl::expected<Document, QString> withValues(const Document &document, const QStringList &settings)
 {
     Document next = document;

@@ -14,4 +14,8 @@ Reading typedReading();
 /// What is wrong with one, or what the model would not bear, is one sentence.
 tl::expected<Document, QString> withValues(const Document &document, const QStringList &settings);
 
+/// A sentence for each value that has no worth and each number that does not follow what was typed
+/// for it: all numbers are then as they last were.
+QStringList notFollowing(const Document &document);
+
 } // namespace fff::cli

@@ -7,6 +7,7 @@
 #include "core/values/number_text.h"
 #include "core/values/presets.h"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -23,6 +24,13 @@ QString tr(const char *text)
     return QCoreApplication::translate("CommandLine", text);
 }
 
+/// Without what radians leave of rounding: 30, not 29.999999999999996.
+double inDegrees(double angle)
+{
+    constexpr double kDigits = 1e9;
+    return std::round(degrees(angle) * kDigits) / kDigits;
+}
+
 void writeWorth(JsonWriter &json, const Worth &worth)
 {
     if (worth.type == Worth::Type::Text)
@@ -30,14 +38,14 @@ void writeWorth(JsonWriter &json, const Worth &worth)
     else if (worth.type == Worth::Type::Truth)
         json.value(worth.number != 0.0);
     else if (worth.powers == kAnglePowers)
-        json.value(degrees(worth.number));
+        json.value(inDegrees(worth.number));
     else
         json.value(worth.number);
 }
 
 double shownIn(ValueKind kind, double number)
 {
-    return kind == ValueKind::Angle ? degrees(number) : number;
+    return kind == ValueKind::Angle ? inDegrees(number) : number;
 }
 
 void writeRange(JsonWriter &json, const Value &value)

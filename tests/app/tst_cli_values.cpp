@@ -60,6 +60,7 @@ private Q_SLOTS:
     void listing();
     void setEqualsTyping();
     void presetsAreSettings();
+    void whatDoesNotFollowIsSaid();
     void optionsComeAfter();
     void wrongSettings_data();
     void wrongSettings();
@@ -172,6 +173,24 @@ void TestCliValues::presetsAreSettings()
     const QJsonArray presets = QJsonDocument::fromJson(json.out).object()["presets"_L1].toArray();
     QCOMPARE(presets.size(), 2);
     QCOMPARE(presets[1].toObject()["settings"_L1].toObject()["width"_L1].toString(), u"125 mm"_s);
+}
+
+// Wrong: a model is cut as it was, and whoever wrote 1/0 into it does not hear that it does not
+// count.
+void TestCliValues::whatDoesNotFollowIsSaid()
+{
+    Document document = cross();
+    document.values =
+        typedValue(document.values, document.values.list[0]->value.id, "1/0", {}).value();
+    const QString file = m_folder.filePath(u"broken.fff"_s);
+    QVERIFY(io::writeDocument(file, document));
+    for (const QStringList &verb :
+         {QStringList{u"check"_s, file},
+          QStringList{u"export"_s, file, u"-o"_s, u"-"_s, u"--format"_s, u"svg"_s}}) {
+        const Run said = run(verb);
+        QVERIFY2(said.err.contains("broken.fff: width: "), said.err.constData());
+    }
+    QVERIFY(run({u"check"_s, m_file}).err.isEmpty());
 }
 
 void TestCliValues::optionsComeAfter()
