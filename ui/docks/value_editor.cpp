@@ -198,6 +198,9 @@ void ValueEditor::show(const Value &value, const Worth *worth)
         worth && isNumeric(value.kind)
             ? std::optional(roundedSpoken(worth->number / spokenSize(value.kind)))
             : std::nullopt;
+    // What has no number is not "mixed": it stands there as it was typed.
+    if (m_number && !spoken)
+        m_number->findChild<QLineEdit *>()->setPlaceholderText(QString::fromStdString(value.typed));
     if (m_slider)
         m_slider->setNumber(spoken);
     else if (m_number)

@@ -24,6 +24,7 @@ enum ValueColumn { kValueName, kValueEditor, kValueMore, kValueColumns };
 enum ValueLine { kValueItself, kValueNote, kValueProblem, kValueDetails };
 
 constexpr int kValueNameWidth = 88, kValueHeight = 30, kBelowNote = 10; // px
+constexpr int kBesideName = 4; // px that a line of text leaves free
 
 } // namespace
 
@@ -145,8 +146,14 @@ void ValueRow::refresh()
         return;
     const KnownValue &known = *model.document.values.list[static_cast<std::size_t>(index)];
     const QString name = QString::fromStdString(known.value.name);
-    if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name)
+    if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name) {
         m_name->setText(name);
+        m_name->setCursorPosition(0); // a long one is seen from its beginning
+    }
+    if (!m_name->hasFocus()) {
+        const int room = m_name->width() - 2 * kBesideName;
+        m_name->setToolTip(fontMetrics().horizontalAdvance(name) > room ? name : QString());
+    }
     const QString note = QString::fromStdString(known.value.note);
     setToolTip(m_adjustsOnly ? QString() : note.toHtmlEscaped());
     m_note->setVisible(m_adjustsOnly && !note.isEmpty());

@@ -242,10 +242,12 @@ void EditorRow::refresh()
 }
 
 PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
-    : QWidget(parent), m_title(new QPushButton(this)), m_rows(new QWidget(this))
+    : QWidget(parent), m_name(name), m_title(new QPushButton(this)), m_rows(new QWidget(this))
 {
     m_title->setObjectName(QStringLiteral("groupTitle"));
     m_title->setText(name);
+    m_title->setAccessibleName(name);
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a long one widens nothing
     m_title->setAutoDefault(false); // in a dialog Enter in a field would fold it
     m_title->setHidden(name.isEmpty());
     m_title->setIcon(themedIcon(QStringLiteral("chevron_down")));
@@ -266,6 +268,16 @@ void PropertyGroup::fold(bool folds)
     m_rows->setVisible(!folds);
     m_title->setIcon(
         themedIcon(folds ? QStringLiteral("chevron_right") : QStringLiteral("chevron_down")));
+}
+
+void PropertyGroup::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    constexpr int kBesideTitle = 26; // px: the arrow, and what a button leaves free
+    const QString text =
+        m_title->fontMetrics().elidedText(m_name, Qt::ElideRight, width() - kBesideTitle);
+    m_title->setText(text);
+    m_title->setToolTip(text == m_name ? QString() : m_name);
 }
 
 void PropertyGroup::add(QWidget *row)

@@ -132,7 +132,11 @@ public:
     void add(QWidget *row);
     void fold(bool folds = true);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    const QString m_name;
     QPushButton *m_title = nullptr;
     QWidget *m_rows = nullptr;
 };
