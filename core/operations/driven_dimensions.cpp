@@ -15,6 +15,8 @@ namespace {
 constexpr const char *kLengthOfDimension = "length";
 /// Places this near to each other have no direction that one could stretch in, mm.
 constexpr double kLeastLength = 1e-3;
+/// Tangent of the angle to an axis of its section within which a length is along that: 5 degrees.
+constexpr double kNearlyAlong = 0.0875;
 /// Places are on one plane of a section where their heights above it differ by less, mm.
 constexpr double kSameHeight = 1e-6;
 
@@ -54,15 +56,29 @@ std::optional<DrivenNumber> readLength(const Document &document, const DrivenPla
                         FFF_TEXT("Driven", "Dimension")};
 }
 
+/// What is measured by hand lies hardly ever quite along an axis of the section: it is stretched
+/// along that, so that right angles stay such, until the two places are as far apart as is wanted.
+StretchBand bandOf(const DrivenLength &length, double wanted)
+{
+    const Vec2 way = length.to - length.from;
+    const int axis = std::abs(way.x()) >= std::abs(way.y()) ? 0 : 1;
+    const double across = std::abs(way[1 - axis]);
+    StretchBand band{length.from, length.to, wanted};
+    if (across > kNearlyAlong * std::abs(way[axis]) || across >= wanted)
+        return band;
+    band.to[1 - axis] = band.from[1 - axis];
+    band.length = std::sqrt(wanted * wanted - across * across);
+    return band;
+}
+
 /// One half of a symmetric section: the other one does the same. Nothing where the line would not
 /// stay one, or lies between the two places.
-std::optional<Vec2> mirroredAt(const DrivenLength &length)
+std::optional<Vec2> mirroredAt(const Section &section, const StretchBand &band)
 {
-    const MirrorAxis *axis = symmetryOf(*length.section);
-    const Vec2 along = (length.to - length.from).normalized();
-    if (!axis || std::abs(axis->direction.dot(along)) > kPracticallyParallel)
+    const MirrorAxis *axis = symmetryOf(section);
+    if (!axis || std::abs(axis->direction.dot(band.along())) > kPracticallyParallel)
         return std::nullopt;
-    const double from = axis->height(length.from), to = axis->height(length.to);
+    const double from = axis->height(band.from), to = axis->height(band.to);
     const bool isBetween = std::min(from, to) < -kEqualEnds && std::max(from, to) > kEqualEnds;
     return isBetween ? std::nullopt : std::optional(axis->point);
 }
@@ -75,10 +91,9 @@ Result<Document> writeLength(Document document, const DrivenPlace &place, const 
     if (!(worth.number >= kLeastLength))
         return failure(ErrorCode::BadValue, kLengthOfDimension);
     const Section section = *length.section;
-    const std::optional<Vec2> mirrored = mirroredAt(length);
-    const StretchBand band{length.from, length.to, worth.number,
-                           slitMiddleOn(document, section).value_or(mirrored.value_or(length.from)),
-                           mirrored};
+    StretchBand band = bandOf(length, worth.number);
+    band.mirroredAt = mirroredAt(section, band);
+    band.stays = slitMiddleOn(document, section).value_or(band.mirroredAt.value_or(length.from));
     return stretchedByNumbers(std::move(document), section, {.band = band});
 }
 

@@ -68,6 +68,7 @@ private Q_SLOTS:
     void aSectionOnAnotherOneKeepsItsSlit();
     void aSymmetricSectionStaysOne();
     void childrenFollowAsTheyAreTold();
+    void measuredByHandItIsAlongAnAxis();
     void oneWithinAnother();
     void whatCannotBeStretched();
     void filesKeepIt();
@@ -191,6 +192,21 @@ void TestDrivenDimensions::childrenFollowAsTheyAreTold()
     QVERIFY(std::abs(driven(HoldsTo::Left, 60) - 60.0) < 1e-9);
     QVERIFY(std::abs(driven(HoldsTo::Right, 60) - 110.0) < 1e-9);
     QVERIFY(std::abs(driven(HoldsTo::Proportion, 160) - 210.0) < 1e-9);
+}
+
+// Wrong: a board whose ends were not hit quite level is none after that.
+void TestDrivenDimensions::measuredByHandItIsAlongAnAxis()
+{
+    const Document document = driving({0, 10}, {200, 16});
+    const Document wide = typed(document, "w", "260 mm");
+    QVERIFY(std::abs(numberAt(wide, lengthKey(wide)) - 260.0) < 1e-9);
+    QCOMPARE(sizeOf(wide, 0).y(), 40.0);
+    for (const CubicBezier &edge : {wide.sections[0]->shape->contour().segment(0),
+                                    wide.sections[0]->shape->contour().segment(1)})
+        QVERIFY(std::abs((edge.p3 - edge.p0).x()) < 1e-9 ||
+                std::abs((edge.p3 - edge.p0).y()) < 1e-9);
+    // By less than they lie beside each other they cannot be apart along it.
+    QVERIFY(std::abs(numberAt(typed(document, "w", "5 mm"), lengthKey(document)) - 5.0) < 1e-9);
 }
 
 // Wrong: what does not contradict was said to, since it comes near it slowly.
