@@ -192,8 +192,8 @@ Contour asDrawn(const Contour &now, const Shape &drawn)
 /// it the shape by numbers that it is; other shapes by numbers are gone.
 SectionPointer withFiguresOf(const Section &drawn, const SectionPointer &changed)
 {
-    if (changed->shape == drawn.shape)
-        return changed;
+    if (changed->shape == drawn.shape || drawn.figures.empty())
+        return changed; // nothing is lost, whichever boundary stays
     std::vector<Contour> holes;
     for (const Contour &hole : changed->shape->holes())
         holes.push_back(asDrawn(hole, *drawn.shape));
