@@ -5976,6 +5976,10 @@
         <extracomment>%1 is what somebody took for the name of a preset</extracomment>
         <translation>Es gibt keine Vorgabe namens „%1“.</translation>
     </message>
+    <message>
+        <source>This is what others see. Save the file and give it to them; it opens like this.</source>
+        <translation>Das sehen andere. Speichere die Datei und gib sie weiter; sie geht so auf.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>

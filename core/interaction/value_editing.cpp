@@ -33,6 +33,8 @@ constexpr Text kNothingToKeep =
 //: %1 is what somebody took for the name of a preset
 constexpr Text kNoSuchPreset = FFF_TEXT("Hint", "There is no preset named “%1”.");
 constexpr Text kHandOn = FFF_TEXT("Step", "Hand on for adjusting");
+constexpr Text kHandedOn = FFF_TEXT(
+    "Hint", "This is what others see. Save the file and give it to them; it opens like this.");
 constexpr Text kEditDesign = FFF_TEXT("Step", "Edit the design");
 //: %n numbers were made of a value that is removed
 constexpr Text kNowNumbers =
@@ -143,6 +145,8 @@ SectionEdit handedOn(const Document &document, bool isHandedOn)
 {
     EditedSections edit{document, {isHandedOn ? kHandOn : kEditDesign}};
     edit.document.opensForAdjusting = isHandedOn;
+    if (isHandedOn)
+        edit.note = Hint(kHandedOn);
     return edit;
 }
 

@@ -247,7 +247,9 @@ void ValueDetails::addRange()
         m_ofNumbers.push_back(add(
             name, id, [bound](const Value &of) { return boundText(of, of.range.*bound); },
             [bound](Value &of, const QString &text) {
-                return readBound(of, text, of.range.*bound);
+                const bool isStep = bound == &ValueRange::step;
+                return readBound(of, text, of.range.*bound) &&
+                       (!isStep || of.range.step.value_or(1.0) > 0.0);
             },
             placeholder));
     };

@@ -160,6 +160,8 @@ void ValueRow::refresh()
     m_note->setText(note);
     showEditor(known);
     m_editor->show(known.value, model.evaluation.values.worth(m_id));
+    // What is made of others is there to be read: a number typed over it would end that.
+    m_editor->setEnabled(!m_adjustsOnly || (known.typed && known.typed->isConstant()));
     m_editor->setSpoken(name);
     if (m_details && !m_details->isHidden())
         m_details->refresh();

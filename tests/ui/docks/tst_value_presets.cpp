@@ -45,6 +45,7 @@ private Q_SLOTS:
     void escapeKeepsNothing();
     void aBadNameIsRefused();
     void whoAdjustsChoosesOnly();
+    void sumsAreOnlyRead();
     void groupsAreHeadings();
     void muchThatIsNotShownIsFolded();
     void aSwitchShowsToOthers();
@@ -136,6 +137,18 @@ void TestValuePresets::whoAdjustsChoosesOnly()
     bench().session().reset(shownWidth());
     QVERIFY(!preset<ChoiceBox>("presetBox")->isVisible());
     QVERIFY(!preset<QPushButton>("presetFirst")->isVisible());
+}
+
+// Wrong: a friend who types over a sum ends it, and nothing follows any more.
+void TestValuePresets::sumsAreOnlyRead()
+{
+    open(withShown(shownWidth(), "half"));
+    QVERIFY(in<NumberEdit>("half")->isEnabled());
+    dock().setAdjustsOnly(true);
+    QVERIFY(!in<NumberEdit>("half")->isEnabled());
+    QVERIFY(in<NumberEdit>("width")->isEnabled());
+    dock().setAdjustsOnly(false);
+    QVERIFY(in<NumberEdit>("half")->isEnabled());
 }
 
 void TestValuePresets::groupsAreHeadings()

@@ -205,6 +205,9 @@ void TestValuesDock::rangesMakeSliders()
     QCOMPARE(*document().values.list[0]->value.range.most, 20.0);
     type(detail<QLineEdit>("gap", "valueMost"), QStringLiteral("2 kg"));
     QVERIFY(!problem("gap").isEmpty());
+    type(detail<QLineEdit>("gap", "valueStep"), QStringLiteral("-5 mm"));
+    QVERIFY(!problem("gap").isEmpty());
+    QVERIFY(!document().values.list[0]->value.range.step);
 }
 
 void TestValuesDock::aHoveredRowLightsWhatFollows()
