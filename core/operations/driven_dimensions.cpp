@@ -1,12 +1,15 @@
 // Lengths that stay, of two places of one drawn section: what is typed for one stretches the
 // section between them.
 #include "core/base/tolerances.h"
+#include "core/geometry/contour_points.h"
+#include "core/model/bindings.h"
 #include "core/model/symmetric_section.h"
 #include "core/operations/driven_owner.h"
 #include "core/operations/stretched_by_numbers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace fff {
 
@@ -56,19 +59,87 @@ std::optional<DrivenNumber> readLength(const Document &document, const DrivenPla
                         FFF_TEXT("Driven", "Dimension")};
 }
 
+bool isNearlyAlong(const Vec2 &way, int axis)
+{
+    return std::abs(way[1 - axis]) <= kNearlyAlong * std::abs(way[axis]);
+}
+
+/// Its straight edges lie along its axes rather than along the way or across it: what stretches it
+/// along the way makes its right angles others.
+bool liesAlongItsAxes(const Section &section, const Vec2 &way)
+{
+    const Vec2 along = way.normalized();
+    double alongAxes = 0.0, alongWay = 0.0;
+    const Contour &contour = section.shape->contour();
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        const CubicBezier segment = contour.segment(i);
+        if (!isLine(segment))
+            continue;
+        const Vec2 edge = segment.p3 - segment.p0;
+        const Vec2 onWay(edge.dot(along), cross(along, edge));
+        if (isNearlyAlong(edge, 0) || isNearlyAlong(edge, 1))
+            alongAxes += edge.norm();
+        if (isNearlyAlong(onWay, 0) || isNearlyAlong(onWay, 1))
+            alongWay += edge.norm();
+    }
+    return alongAxes > alongWay;
+}
+
+/// What another expression says how long the section, or a length along this axis of it, is.
+bool isDriven(const Document &document, const DrivenLength &length, int axis)
+{
+    const DrivenPlace size{.of = DrivenPlace::Of::Section,
+                           .id = length.section->id.value,
+                           .field = axis == 0 ? "width" : "height"};
+    if (bindingOf(document, size))
+        return true;
+    return std::any_of(
+        document.dimensions.begin(), document.dimensions.end(), [&](const Dimension &other) {
+            const auto known =
+                other.id == length.dimension->id ? std::nullopt : lengthOf(document, other);
+            return known && known->section == length.section &&
+                   isNearlyAlong(known->to - known->from, axis) &&
+                   bindingOf(document, {.of = DrivenPlace::Of::Dimension,
+                                        .id = other.id.value,
+                                        .field = kLengthOfDimension});
+        });
+}
+
+/// Along an axis, so that the two places are that far apart on it.
+StretchBand bandAlong(const DrivenLength &length, int axis, double wanted)
+{
+    StretchBand band{length.from, length.to, wanted};
+    band.to[1 - axis] = band.from[1 - axis];
+    return band;
+}
+
+/// What makes the length as long as is wanted; none: it cannot be.
 /// What is measured by hand lies hardly ever quite along an axis of the section: it is stretched
-/// along that, so that right angles stay such, until the two places are as far apart as is wanted.
-StretchBand bandOf(const DrivenLength &length, double wanted)
+/// along that, so that right angles stay such. One that is aslant is stretched along both axes, or
+/// along the one that no other expression drives, where right angles have to be kept.
+std::vector<StretchBand> bandsOf(const Document &document, const DrivenLength &length,
+                                 double wanted)
 {
     const Vec2 way = length.to - length.from;
-    const int axis = std::abs(way.x()) >= std::abs(way.y()) ? 0 : 1;
-    const double across = std::abs(way[1 - axis]);
-    StretchBand band{length.from, length.to, wanted};
-    if (across > kNearlyAlong * std::abs(way[axis]) || across >= wanted)
-        return band;
-    band.to[1 - axis] = band.from[1 - axis];
-    band.length = std::sqrt(wanted * wanted - across * across);
-    return band;
+    const auto alone = [&](int axis) -> std::vector<StretchBand> {
+        const double across = std::abs(way[1 - axis]);
+        if (across >= wanted)
+            return {};
+        return {bandAlong(length, axis, std::sqrt(wanted * wanted - across * across))};
+    };
+    const std::vector<StretchBand> straight{{length.from, length.to, wanted}};
+    for (const int axis : {0, 1})
+        if (isNearlyAlong(way, axis))
+            return std::abs(way[1 - axis]) < wanted ? alone(axis) : straight;
+    const bool isWidthDriven = isDriven(document, length, 0);
+    const bool isHeightDriven = isDriven(document, length, 1);
+    if (isWidthDriven != isHeightDriven)
+        return alone(isWidthDriven ? 1 : 0);
+    if (!isWidthDriven && !liesAlongItsAxes(*length.section, way))
+        return straight;
+    const double factor = wanted / way.norm();
+    return {bandAlong(length, 0, factor * std::abs(way.x())),
+            bandAlong(length, 1, factor * std::abs(way.y()))};
 }
 
 /// One half of a symmetric section: the other one does the same. Nothing where the line would not
@@ -88,13 +159,21 @@ std::optional<Vec2> mirroredAt(const Section &section, const StretchBand &band)
 Result<Document> writeLength(Document document, const DrivenPlace &place, const Worth &worth)
 {
     const DrivenLength length = *lengthAt(document, place);
-    if (!(worth.number >= kLeastLength))
+    const std::vector<StretchBand> bands = worth.number >= kLeastLength
+                                               ? bandsOf(document, length, worth.number)
+                                               : std::vector<StretchBand>();
+    if (bands.empty())
         return failure(ErrorCode::BadValue, kLengthOfDimension);
-    const Section section = *length.section;
-    StretchBand band = bandOf(length, worth.number);
-    band.mirroredAt = mirroredAt(section, band);
-    band.stays = slitMiddleOn(document, section).value_or(band.mirroredAt.value_or(length.from));
-    return stretchedByNumbers(std::move(document), section, {.band = band});
+    const SectionId id = length.section->id;
+    Result<Document> next = std::move(document);
+    for (std::size_t i = 0; next && i < bands.size(); ++i) {
+        const Section section = *next->find(id);
+        StretchBand band = bands[i];
+        band.mirroredAt = mirroredAt(section, band);
+        band.stays = slitMiddleOn(*next, section).value_or(band.mirroredAt.value_or(band.from));
+        next = stretchedByNumbers(*std::move(next), section, {.band = band});
+    }
+    return next;
 }
 
 void listLengths(const Document &document, std::vector<DrivenPlace> &places)

@@ -69,6 +69,7 @@ private Q_SLOTS:
     void aSymmetricSectionStaysOne();
     void childrenFollowAsTheyAreTold();
     void measuredByHandItIsAlongAnAxis();
+    void oneThatIsAslant();
     void oneWithinAnother();
     void whatCannotBeStretched();
     void filesKeepIt();
@@ -207,6 +208,59 @@ void TestDrivenDimensions::measuredByHandItIsAlongAnAxis()
                 std::abs((edge.p3 - edge.p0).y()) < 1e-9);
     // By less than they lie beside each other they cannot be apart along it.
     QVERIFY(std::abs(numberAt(typed(document, "w", "5 mm"), lengthKey(document)) - 5.0) < 1e-9);
+}
+
+/// All edges of its contour lie along its axes.
+bool isSquare(const Section &section)
+{
+    const Contour &contour = section.shape->contour();
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        const CubicBezier edge = contour.segment(i);
+        const Vec2 way = edge.p3 - edge.p0;
+        if (std::abs(way.x()) > 1e-9 && std::abs(way.y()) > 1e-9)
+            return false;
+    }
+    return true;
+}
+
+// Wrong: from corner to corner of a board it sheared that, and beside its width it made a shard.
+void TestDrivenDimensions::oneThatIsAslant()
+{
+    const double diagonal = std::hypot(200.0, 40.0);
+    Document document = driving({0, 0}, {200, 40}); // 11 degrees off
+    const auto apart = [](const Document &of, double length) {
+        return typed(of, "w", (std::to_string(length) + " mm").c_str());
+    };
+    document = apart(document, 1.5 * diagonal);
+    QVERIFY(isSquare(*document.sections[0]));
+    QVERIFY((sizeOf(document, 0) - Vec2(300, 60)).norm() < 1e-4);
+    QVERIFY(std::abs(numberAt(document, lengthKey(document)) - 1.5 * diagonal) < 1e-5);
+    // Beside its width it is its height that follows, whatever came before.
+    document = withValue(std::move(document), "all", "200 mm");
+    document = madeOf(document, key("section", document.sections[0]->id.value, "width"), "all");
+    for (const double high : {120.0, 30.0, 400.0, 60.0}) {
+        document = apart(document, std::hypot(200.0, high));
+        QVERIFY(isSquare(*document.sections[0]));
+        QVERIFY2((sizeOf(document, 0) - Vec2(200, high)).norm() < 1e-3,
+                 qPrintable(QString::number(high)));
+    }
+    document = typed(document, "all", "150 mm");
+    QVERIFY(isSquare(*document.sections[0]));
+    QVERIFY((sizeOf(document, 0) - Vec2(150, std::sqrt(200.0 * 200 + 60 * 60 - 150 * 150))).norm() <
+            1e-3);
+    QVERIFY(!driven(typeValue(document, idOf(document, "w"), "149 mm", {}).value()).errors.empty());
+    // An arm that is drawn aslant becomes a longer one, as thick as before.
+    Document arm = shelf();
+    const Vec2 along = Vec2(1, 1).normalized(), across(-along.y(), along.x());
+    const Polygon outline{{0, 0}, 120 * along, 120 * along + 20 * across, 20 * across};
+    Section drawn = *arm.sections[1];
+    drawn.shape = Shape::make(Contour::fromPolygon(outline).value()).value();
+    arm.sections[1] = std::make_shared<const Section>(drawn);
+    const Vec2 end = 120 * along;
+    arm = addDimension(arm, {drawn.ref(), {0, 0, 0}}, {drawn.ref(), {end.x(), end.y(), 0}}).value();
+    arm = madeOf(arm, lengthKey(arm), "180 mm");
+    const Contour &longer = arm.sections[1]->shape->contour();
+    QVERIFY(std::abs(std::abs(longer.signedArea()) - 180.0 * 20.0) < 1e-6);
 }
 
 // Wrong: what does not contradict was said to, since it comes near it slowly.
