@@ -1,8 +1,5 @@
 #include "core/operations/baking.h"
 
-#include "core/assembly/assembly.h"
-#include "core/assembly/crossing.h"
-#include "core/base/tolerances.h"
 #include "core/geometry/contour_points.h"
 #include "core/model/edits.h"
 #include "core/model/figures.h"
@@ -11,6 +8,7 @@
 #include "core/model/point_edits.h"
 #include "core/model/sheet_edits.h"
 #include "core/operations/evaluate.h"
+#include "core/operations/kept_slits.h"
 #include "core/operations/renamed_instances.h"
 
 #include <algorithm>
@@ -212,123 +210,47 @@ SectionPointer withFiguresOf(const Section &drawn, const SectionPointer &changed
     return std::make_shared<const Section>(std::move(next));
 }
 
-/// How the slits of a, the first of a joint, are cut.
-struct Laps
+const SectionPointer *changeOf(const OperationResult *result, const SectionRef &ref)
 {
-    /// What the slit takes of an overlap, mm.
-    struct Depth
-    {
-        double own = 0.0, whole = 0.0;
-    };
-
-    int sign = 0; // to which end of the axis they open, ±1; 0: there are none
-    std::vector<Depth> depths;
-};
-
-Laps lapsOf(const Model &model, const Assembly &assembly, const Joint &joint)
-{
-    const auto index = static_cast<std::size_t>(joint.a);
-    const Frame &frame = model.section(index)->frame;
-    Laps laps;
-    for (const Slit &slit : assembly.slits[index])
-        if (slit.joint == joint.id && slit.isOpen && slit.role == SlitRole::Slit) {
-            const Vec3 way = frame.directionToWorld(slit.mouth - slit.inner);
-            laps.sign = way.dot(joint.crossing->axis.direction) > 0.0 ? 1 : -1;
-            break;
-        }
-    for (const Overlap &o : joint.crossing->overlaps)
-        laps.depths.push_back({laps.sign > 0 ? o.to - o.meet : o.meet - o.from, o.to - o.from});
-    return laps;
-}
-
-/// The same of b.
-Laps turned(Laps laps)
-{
-    laps.sign = -laps.sign;
-    for (Laps::Depth &depth : laps.depths)
-        depth.own = depth.whole - depth.own;
-    return laps;
-}
-
-bool isSame(const Laps &a, const Laps &b)
-{
-    const auto isSameDepth = [](const Laps::Depth &one, const Laps::Depth &other) {
-        return std::abs(one.own - other.own) <= kTouchingDepth;
-    };
-    return a.sign == b.sign && std::equal(a.depths.begin(), a.depths.end(), b.depths.begin(),
-                                          b.depths.end(), isSameDepth);
-}
-
-/// The sections of a joint, as they are named now, with frames as they were.
-struct KeptJoint
-{
-    SectionRef a, b;
-    const Frame &frameOfA, &frameOfB;
-};
-
-JointOverride keptAs(const Laps &laps, const Joint &joint, const KeptJoint &of,
-                     const JointOverride *known)
-{
-    const bool isTurned = of.b < of.a;
-    const Frame &frame = isTurned ? of.frameOfB : of.frameOfA;
-    const Laps ofFirst = isTurned ? turned(laps) : laps;
-    const Axis &axis = joint.crossing->axis;
-    JointOverride wanted = known ? *known : JointOverride();
-    wanted.a = std::min(of.a, of.b);
-    wanted.b = std::max(of.a, of.b);
-    wanted.opens = frame.directionToLocal(ofFirst.sign * axis.direction);
-    wanted.shares.clear();
-    for (std::size_t i = 0; i < ofFirst.depths.size(); ++i) {
-        const Overlap &o = joint.crossing->overlaps[i];
-        const auto &[own, whole] = ofFirst.depths[i];
-        const bool isCutByBoth = own > 0.0 && own < whole;
-        if (isCutByBoth && !meetsInMiddle(o))
-            wanted.shares.push_back({frame.toLocal(axis.at(0.5 * (o.from + o.to))),
-                                     std::clamp(own / whole, kLeastShare, 1.0 - kLeastShare)});
-    }
-    return wanted;
-}
-
-} // namespace
-
-Result<Document> withSlitsKept(Document document, const Model &model,
-                               const std::map<SectionRef, SectionRef> &replacements)
-{
-    const Model next = evaluate(document, model);
-    const Assembly before = assemble(model), after = assemble(next);
-    for (const Joint &joint : before.joints) {
-        const SectionRef a = follow(replacements, model.ref(static_cast<std::size_t>(joint.a)));
-        const SectionRef b = follow(replacements, model.ref(static_cast<std::size_t>(joint.b)));
-        const int i = next.indexOf(a), j = next.indexOf(b);
-        const Joint *now =
-            i < 0 || j < 0 ? nullptr : after.joints.find(std::min(i, j), std::max(i, j));
-        if (!now || !now->crossing || !joint.crossing)
-            continue;
-        // Along the direction of the axis before, of the section that was first then.
-        const Laps was = lapsOf(model, before, joint);
-        Laps is = lapsOf(next, after, *now);
-        if (now->a != i)
-            is = turned(is);
-        if (now->crossing->axis.direction.dot(joint.crossing->axis.direction) < 0.0)
-            is.sign = -is.sign;
-        if (was.sign == 0 || isSame(was, is))
-            continue;
-        const KeptJoint kept{a, b, next.find(a)->frame, next.find(b)->frame};
-        Result<Document> with = setJointOverride(
-            std::move(document), keptAs(was, joint, kept, document.jointOverride(a, b)));
-        if (!with)
-            return with;
-        document = *std::move(with);
-    }
-    return document;
-}
-
-Result<Document> baked(const Model &model, OperationId id)
-{
-    Document document = model.document;
-    const OperationResult *result = model.resultOf(id);
     if (!result)
-        return removeOperation(std::move(document), id);
+        return nullptr;
+    const auto found = std::find_if(result->changed.begin(), result->changed.end(),
+                                    [&ref](const auto &change) { return change.first == ref; });
+    return found == result->changed.end() ? nullptr : &found->second;
+}
+
+/// What the operation alone makes of a drawn section that others change, too, and go on to. Null:
+/// nothing, or no other one does.
+SectionPointer changedAlone(const Model &model, OperationId id, const SectionRef &ref)
+{
+    Document alone = model.document;
+    std::erase_if(alone.operations, [&](const OperationPointer &other) {
+        return other->id != id && changeOf(model.resultOf(other->id), ref);
+    });
+    if (alone.operations.size() == model.document.operations.size())
+        return nullptr;
+    const Model of = evaluate(std::move(alone), model);
+    const SectionPointer *change = changeOf(of.resultOf(id), ref);
+    return change ? *change : nullptr;
+}
+
+bool isSameShape(const Shape &a, const Shape &b)
+{
+    const auto isInB = [&b](const Contour &hole) {
+        return std::any_of(b.holes().begin(), b.holes().end(),
+                           [&hole](const Contour &other) { return isSameBoundary(hole, other); });
+    };
+    return a.holes().size() == b.holes().size() && isSameBoundary(a.contour(), b.contour()) &&
+           std::all_of(a.holes().begin(), a.holes().end(), isInB);
+}
+
+/// What of a drawn section that others change, too, is drawn.
+enum class Draws { OwnChange, AllChanges };
+
+Result<Document> bakedAs(const Model &model, const OperationResult &result, Draws draws)
+{
+    const OperationId id = result.operation->id;
+    Document document = model.document;
     Replacements replacements;
     const auto replace = [&](const SectionRef &ref, const Section &section) {
         const SectionRef drawn = draw(document, section);
@@ -337,7 +259,7 @@ Result<Document> baked(const Model &model, OperationId id)
     };
     std::vector<SectionId> gone;
     // What it changes of others first: it may take the place of a drawn section.
-    for (const auto &[ref, section] : result->changed) {
+    for (const auto &[ref, section] : result.changed) {
         if (!ref.drawn.isValid()) {
             Result<Document> without =
                 setException(std::move(document), ref, {Exception::State::Detached});
@@ -352,12 +274,14 @@ Result<Document> baked(const Model &model, OperationId id)
         if (index < 0)
             continue;
         SectionPointer &drawn = document.sections[static_cast<std::size_t>(index)];
+        const SectionPointer own =
+            draws == Draws::OwnChange ? changedAlone(model, id, ref) : nullptr;
         if (section)
-            drawn = withFiguresOf(*drawn, section);
+            drawn = withFiguresOf(*drawn, own ? own : section);
         else
             gone.push_back(ref.drawn);
     }
-    for (const SectionPointer &section : result->sections)
+    for (const SectionPointer &section : result.sections)
         replace(section->made, *section);
     followInDocument(document, model, replacements);
     Result<Document> without = removeOperation(std::move(document), id);
@@ -367,6 +291,32 @@ Result<Document> baked(const Model &model, OperationId id)
         return without;
     Document next = withRenamed(*std::move(without), model, replacements);
     return withSlitsKept(std::move(next), model, replacements);
+}
+
+/// Drawn sections that the operation changed look as they did.
+bool looksTheSame(const Document &document, const Model &before, const OperationResult &result)
+{
+    const Model now = evaluate(document, before);
+    return std::all_of(result.changed.begin(), result.changed.end(), [&](const auto &change) {
+        const Section *was = before.find(change.first), *is = now.find(change.first);
+        return !change.first.drawn.isValid() || (!was && !is) ||
+               (was && is && isSameShape(*was->shape, *is->shape));
+    });
+}
+
+} // namespace
+
+Result<Document> baked(const Model &model, OperationId id)
+{
+    const OperationResult *result = model.resultOf(id);
+    if (!result)
+        return removeOperation(model.document, id);
+    // Those that change the same section go on to: of what is drawn as this one alone changes it,
+    // shapes by numbers are left that drive what the others make.
+    Result<Document> next = bakedAs(model, *result, Draws::OwnChange);
+    if (next && looksTheSame(*next, model, *result))
+        return next;
+    return bakedAs(model, *result, Draws::AllChanges);
 }
 
 Result<Document> detached(const Model &model, const SectionRef &instance)

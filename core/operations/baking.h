@@ -3,8 +3,6 @@
 
 #include "core/model/model.h"
 
-#include <map>
-
 namespace fff {
 
 /// The operation goes, what it makes becomes drawn; what it changes is drawn as it was changed.
@@ -18,12 +16,5 @@ Result<Document> baked(const Model &model, OperationId id);
 /// follows, as above. The drawn section is the document's last.
 /// Errors  UnknownReference, place = the key, when the model has no such section now.
 Result<Document> detached(const Model &model, const SectionRef &instance);
-
-/// The document, in which sections that operations of the model made are drawn ones: slits of these
-/// that would open to another side than in the model are wished to stay.
-/// drawn   what became of those sections, each a section of the document
-/// Errors  those of setJointOverride().
-Result<Document> withSlitsKept(Document document, const Model &model,
-                               const std::map<SectionRef, SectionRef> &drawn);
 
 } // namespace fff

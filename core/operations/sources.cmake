@@ -19,6 +19,7 @@ target_sources(fff_core PRIVATE
     operations/grid_cells.cpp
     operations/images.cpp
     operations/insertion.cpp
+    operations/kept_slits.cpp
     operations/linear.cpp
     operations/moving_model.cpp
     operations/operation_context.cpp

@@ -119,6 +119,7 @@ private Q_SLOTS:
     void allPlacesOfTheRangesAreGood();
     void presetsAreInTheRanges();
     void bakedItStillFollows();
+    void ofSeveralThatChangeOneEachIsBaked();
     void aSliderLeavesNoTrace();
     void allWaysLeadToTheSamePlace();
     void anyNameFitsItsPlate();
@@ -212,6 +213,38 @@ void TestAdjustableSamples::bakedItStillFollows()
     QCOMPARE(bakedWide.size(), std::size_t(2));
     for (std::size_t i = 0; i < wide.size(); ++i)
         QVERIFY(std::abs(wide[i] - bakedWide[i]) < 1e-9);
+}
+
+// Wrong: teeth were drawn along with the ring of holes that was baked, and what drives the wheel's
+// numbers was lost.
+void TestAdjustableSamples::ofSeveralThatChangeOneEachIsBaked()
+{
+    const auto &samples = adjustableSamples();
+    const auto gears = std::find_if(samples.begin(), samples.end(),
+                                    [](const auto &one) { return one.name == "gears"; });
+    const Document &before = gears->model.document;
+    for (const OperationPointer &operation : before.operations) {
+        if (operation->kind != "radial")
+            continue;
+        const auto ofIt = std::count_if(
+            before.bindings.begin(), before.bindings.end(), [&](const BindingPointer &pointer) {
+                const DrivenPlace &place = pointer->binding.place;
+                return place.of == DrivenPlace::Of::Operation && place.id == operation->id.value;
+            });
+        const Model after = evaluate(*baked(gears->model, operation->id));
+        // The disc under its teeth is drawn with them, and has no diameter any more.
+        const bool takesDisc =
+            operation->parameters.at("kind") == ParameterValue(std::string("gear"));
+        QVERIFY(after.evaluation.drivingErrors.empty());
+        QCOMPARE(after.document.bindings.size() + static_cast<std::size_t>(ofIt) +
+                     (takesDisc ? 1 : 0),
+                 before.bindings.size());
+        QCOMPARE(after.sectionCount(), gears->model.sectionCount());
+        for (std::size_t i = 0; i < after.sectionCount(); ++i)
+            QVERIFY2(std::abs(after.section(i)->shape->area() -
+                              gears->model.section(i)->shape->area()) < 1e-3,
+                     operation->name.c_str());
+    }
 }
 
 // Wrong: a model that is another one after a slider went to both ends and back.
