@@ -4,6 +4,10 @@
 #include "core/session/message_text.h"
 #include "core/values/presets.h"
 
+#include <QRegularExpression>
+
+#include <optional>
+
 namespace fff::cli {
 
 namespace {
@@ -31,6 +35,22 @@ QString notASetting(const QString &setting, const Values &values)
     //: %2 are names of presets of values: "A5 or A4"
     return tr("found \"%1\", expected NAME=VALUE, such as width=400, or a preset: %2.")
         .arg(setting, io::enumerated(names, tr("%1 or %2")));
+}
+
+/// A window knows whether its user writes decimals or thousands with a comma; here it may be
+/// either, and a part that is a thousand times as large is found out at the machine. Nothing where
+/// it is clear.
+std::optional<QString> unclearNumber(const QString &typed)
+{
+    static const QRegularExpression eitherWay(
+        QStringLiteral("(?<![\\w.,])([1-9]\\d{0,2}),(\\d{3})(?![\\d.,])"));
+    const QRegularExpressionMatch match = eitherWay.match(typed);
+    if (!match.hasMatch() || typed.contains(u'(')) // within parentheses it may divide
+        return std::nullopt;
+    //: all are ways to write numbers: "1,125", "1.125" and "1125"
+    return tr("\"%1\" can be %2 or %3; please write one of these.")
+        .arg(match.captured(0), match.captured(1) + u'.' + match.captured(2),
+             match.captured(1) + match.captured(2));
 }
 
 } // namespace
@@ -72,8 +92,12 @@ tl::expected<Document, QString> withValues(const Document &document, const QStri
             return tl::unexpected(
                 tr("there is no value \"%1\"; expected %2.").arg(name, namesOf(next.values)));
         const ValueId id = value->id;
-        Understood<Document> typed = typeValue(
-            std::move(next), id, setting.mid(equals + 1).trimmed().toStdString(), typedReading());
+        const QString text = setting.mid(equals + 1).trimmed();
+        if (value->kind != ValueKind::Text && value->kind != ValueKind::Choice)
+            if (const std::optional<QString> unclear = unclearNumber(text))
+                return tl::unexpected(*unclear);
+        Understood<Document> typed =
+            typeValue(std::move(next), id, text.toStdString(), typedReading());
         if (!typed)
             return tl::unexpected(messageText(typed.error().message));
         next = *std::move(typed);

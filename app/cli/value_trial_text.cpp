@@ -68,7 +68,7 @@ ValueTrials triedValues(const Document &document, std::uint64_t seed)
 QStringList trialsText(const ValueTrials &trials)
 {
     if (trials.values.empty())
-        return {tr("No value that is shown to others has a range and is used.")};
+        return {tr("No value that others can adjust has a range and is used.")};
     QStringList lines{tr("Tried: %1 of %2 corners of the ranges, %3 variants between them.")
                           .arg(trials.corners)
                           .arg(trials.allCorners, 0, 'f', 0)

@@ -207,7 +207,7 @@ int runValues(const QStringList &arguments)
     QCommandLineParser parser;
     parser.addOption({QStringLiteral("json"), tr("Prints JSON, for other programs.")});
     parser.addOption(
-        {QStringLiteral("try"), tr("Tries the ranges of the values that are shown to others.")});
+        {QStringLiteral("try"), tr("Tries the ranges of the values that others can adjust.")});
     parser.addOption({QStringLiteral("seed"),
                       tr("Another number tries other places, the same one the same."),
                       QStringLiteral("N")});

@@ -30,6 +30,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What no program is linked to: the platforms that Qt loads, and the words on its own buttons.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-qpa-plugins, qt6-translations-l10n")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, libgl1-mesa-dri, fonts-noto-core")
+# Japanese and Chinese; whoever has neither does without 57 MB.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "draw flat parts in 3D, see whether they hold, cut them")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "FlatFitFab draws flat parts straight in 3D and makes the slits in which
 they slide into each other. It says while you draw whether the model

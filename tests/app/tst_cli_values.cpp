@@ -59,6 +59,7 @@ private Q_SLOTS:
     void initTestCase();
     void listing();
     void setEqualsTyping();
+    void aNumberThatCanBeTwo();
     void presetsAreSettings();
     void whatDoesNotFollowIsSaid();
     void optionsComeAfter();
@@ -138,6 +139,20 @@ void TestCliValues::setEqualsTyping()
     QCOMPARE(one.status, 0);
     QVERIFY(one.out == other.out);
     QVERIFY(one.out != bySet.out);
+}
+
+// Wrong: whoever writes decimals with a comma got a part a thousand times as large.
+void TestCliValues::aNumberThatCanBeTwo()
+{
+    const auto set = [this](const QString &setting) {
+        return run({u"values"_s, m_file, u"--json"_s, u"--set"_s, setting});
+    };
+    const Run unclear = set(u"width=1,125"_s);
+    QCOMPARE(unclear.status, 1);
+    QVERIFY2(unclear.err.contains("\"1,125\" can be 1.125 or 1125"), unclear.err.constData());
+    for (const QString &clear : {u"width=1125"_s, u"width=112,5"_s, u"width=0,125"_s,
+                                 u"width=max(1,125)"_s, u"width=1,125.5"_s})
+        QVERIFY2(!set(clear).err.contains("can be 1.125"), qPrintable(clear));
 }
 
 void TestCliValues::presetsAreSettings()

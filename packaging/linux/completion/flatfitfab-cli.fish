@@ -106,7 +106,7 @@ complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -l verbose -d 
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -s h -l help -d 'Shows this help.'
 complete -c flatfitfab-cli -n __fish_use_subcommand -f -a values -d 'The named values of a model, and what is made of them'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from values' -l json -d 'Prints JSON, for other programs.'
-complete -c flatfitfab-cli -n '__fish_seen_subcommand_from values' -l try -d 'Tries the ranges of the values that are shown to others.'
+complete -c flatfitfab-cli -n '__fish_seen_subcommand_from values' -l try -d 'Tries the ranges of the values that others can adjust.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from values' -l seed -r -d 'Another number tries other places, the same one the same.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from values' -l set -r -d 'Gives a named value of the model another number, or all that a preset sets; may be repeated.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from values' -l thickness -r -d 'Thickness of every stock.'
