@@ -1,10 +1,13 @@
 #include "ui/docks/section_page.h"
 
+#include "core/base/tolerances.h"
 #include "core/interaction/sheet_editing.h"
+#include "core/interaction/value_editing.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/origin.h"
 #include "core/model/sheet_edits.h"
+#include "core/operations/drivable.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/properties_header.h"
@@ -26,6 +29,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -38,6 +42,9 @@ constexpr CountedText kSetStock{FFF_TEXT("Step", "Change stock of %1"),
                                 FFF_TEXT_OF_MANY("Step", "Change stock of %n sections")};
 
 constexpr LengthEdit::Range kThicknessRange{0.01, 1000.0, 0.05, 2, 3};
+constexpr LengthEdit::Range kSizeRange{0.01, kMaxCoordinate, 0.5, 1, 3};
+/// Sizes that differ by less, mm, are shown as one.
+constexpr double kSameSize = 1e-7;
 
 std::string nameOf(const Model &model, int index)
 {
@@ -239,6 +246,44 @@ void SectionPage::addTurningRow(PropertyGroup *group)
     m_rows.push_back(row);
 }
 
+/// Of one drawn section a field, of others only what they have in common.
+void SectionPage::addSize(PropertyGroup *group, const QString &name, const char *objectName,
+                          const char *field, int axis)
+{
+    const PlaceNow place = selectedSectionPlace(m_bench, DrivenPlace::Of::Section, field);
+    const auto read = [this, place, axis]() -> std::optional<double> {
+        if (const std::optional<DrivenPlace> at = place())
+            if (const auto known = drivenNumber(m_bench.session().model().document, *at))
+                return known->worth.number;
+        const Measures measures(m_bench.session());
+        std::optional<double> common;
+        for (const int i : m_selected) {
+            const double size = measures.contourSize(i)[axis];
+            if (common && std::abs(*common - size) > kSameSize)
+                return std::nullopt;
+            common = common ? common : size;
+        }
+        return common;
+    };
+    const auto write = [this, place](double size) {
+        const std::optional<DrivenPlace> at = place();
+        if (!at)
+            return;
+        const Reading millimetres;
+        const std::string typed =
+            QString::number(size, 'g', QLocale::FloatingPointShortest).toStdString() + " mm";
+        m_bench.editSections(
+            numberBound(m_bench.session().committed().document, *at, typed, millimetres));
+        refresh(); // shows what it is where that was refused
+    };
+    auto *row = new LengthRow(name, objectName, kSizeRange, read, write, group);
+    row->setFollowed(followedAt(m_bench, place));
+    row->setToolTip(tr("Another length stretches the contour about its slit, or its middle"));
+    group->add(row);
+    m_rows.push_back(row);
+    m_sizes.push_back({row, place});
+}
+
 void SectionPage::addContourRows(PropertyGroup *group)
 {
     const auto add = [this, group](const QString &name, const char *objectName,
@@ -250,14 +295,8 @@ void SectionPage::addContourRows(PropertyGroup *group)
     const auto shapeOf = [this](int i) -> const Shape & {
         return *m_bench.session().model().section(static_cast<std::size_t>(i))->shape;
     };
-    add(tr("Size"), "sectionSize", [this] {
-        const Measures measures(m_bench.session());
-        return commonText(
-            m_selected, [&](int i) -> Vec2 { return measures.contourSize(i); },
-            [this](const Vec2 &size) {
-                return sizeText({size.x(), size.y()}, 1, locale());
-            });
-    });
+    addSize(group, tr("Width"), "sectionWidth", "width", 0);
+    addSize(group, tr("Height"), "sectionHeight", "height", 1);
     add(tr("Area"), "sectionArea", [this] {
         const Measures measures(m_bench.session());
         double sum = 0.0;
@@ -295,6 +334,8 @@ void SectionPage::refresh()
     m_selected = selectedSections(m_bench);
     for (PropertyRow *row : m_rows)
         row->refresh();
+    for (const Size &size : m_sizes)
+        size.row->setEnabled(size.place().has_value());
     m_pointGroup->refresh();
     m_instanceGroup->refresh();
     m_sheetGroup->refresh();

@@ -5,6 +5,7 @@
 #include <QWidget> // first: moc stumbles over some standard headers
 
 #include "core/model/joint_ref.h"
+#include "ui/properties/driven_field.h"
 
 #include <optional>
 #include <vector>
@@ -47,6 +48,8 @@ protected:
 private:
     void addStockRows(PropertyGroup *group);
     void addTurningRow(PropertyGroup *group);
+    void addSize(PropertyGroup *group, const QString &name, const char *objectName,
+                 const char *field, int axis);
     void addContourRows(PropertyGroup *group);
     void refreshJoints();
     std::optional<double> commonThickness() const;
@@ -63,6 +66,12 @@ private:
     JointRows *m_joints = nullptr;
     std::vector<int> m_selected; // indices in the model that is shown, as of refresh()
     std::vector<PropertyRow *> m_rows;
+    struct Size
+    {
+        PropertyRow *row;
+        PlaceNow place;
+    };
+    std::vector<Size> m_sizes;
 };
 
 } // namespace fff::ui

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void wrongOnesSayWhyAndChangeNothing();
     void fieldsOfTheModelFollow_data();
     void fieldsOfTheModelFollow();
+    void aSectionsSizeFollows();
     void aDimensionStretchesItsSection();
     void whatIsLeftWithoutEnterFollows();
     void ofTwoThingsNoneFollows();
@@ -212,6 +213,30 @@ void TestFollowedFields::fieldsOfTheModelFollow()
     QVERIFY(bindingOf(document(), at(document(), place)));
     QVERIFY(field(name.constData())->follows());
     QTRY_VERIFY(mark->isVisible());
+}
+
+// Drawn contours follow, too, and are stretched by plain numbers.
+void TestFollowedFields::aSectionsSizeFollows()
+{
+    openBoard();
+    QTRY_VERIFY(field("sectionWidth") && field("sectionHeight"));
+    const auto size = [this] { return document().sections.front()->shape->bounds().size(); };
+    const Vec2 before = size();
+    const Document was = document();
+    type(field("sectionWidth"), QStringLiteral("150"));
+    QVERIFY((size() - Vec2(150, before.y())).norm() < 1e-9);
+    bench().session().history()->undo();
+    QVERIFY(document() == was);
+    type(field("sectionHeight"), QStringLiteral("= 5*gap"));
+    QVERIFY((size() - Vec2(before.x(), 60)).norm() < 1e-9);
+    QVERIFY(field("sectionHeight")->follows());
+    bench().run(QStringLiteral("value.set"), {{"name", "gap"}, {"expression", "10 mm"}});
+    QVERIFY((size() - Vec2(before.x(), 50)).norm() < 1e-9);
+    QTRY_VERIFY(field("sectionHeight")->text().startsWith(QStringLiteral("50")));
+    // Of two there is none to be typed, and what they do not have in common is not shown.
+    bench().select(
+        {SectionRef(document().sections[0]->id), SectionRef(document().sections[1]->id)});
+    QTRY_VERIFY(!field("sectionWidth")->isEnabled());
 }
 
 // And what stands on the section can be told how to follow, once there is something to follow.
