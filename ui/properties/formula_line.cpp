@@ -1,5 +1,6 @@
 #include "ui/properties/formula_line.h"
 
+#include "ui/base/theme.h"
 #include "ui/properties/name_completion.h"
 
 #include <QFocusEvent>
@@ -9,6 +10,12 @@
 
 namespace fff::ui {
 
+namespace {
+
+constexpr int kRoomForSum = 96; // px; a narrower field takes that of its neighbours, too
+
+} // namespace
+
 FormulaLine::FormulaLine(QWidget *field, std::function<QString(const QString &)> takes,
                          std::function<QStringList()> names)
     : QLineEdit(field), m_field(field), m_takes(std::move(takes))
@@ -16,17 +23,33 @@ FormulaLine::FormulaLine(QWidget *field, std::function<QString(const QString &)>
     new NameCompletion(this, NameCompletion::Where::Everywhere, std::move(names));
     setObjectName(QStringLiteral("formulaLine"));
     setFocusPolicy(Qt::ClickFocus); // Tab comes through the field
+    connect(this, &QLineEdit::textEdited, this, [this] { showRefused({}); });
     hide();
 }
 
 void FormulaLine::open(const QString &text)
 {
-    setGeometry(m_field->rect());
+    fit();
     setText(text);
     setModified(false);
+    showRefused({});
     show();
     raise();
     setFocus(Qt::OtherFocusReason);
+}
+
+void FormulaLine::fit()
+{
+    QWidget *row = m_field->parentWidget();
+    const bool isNarrow = row && m_field->width() < kRoomForSum && row->width() > m_field->width();
+    QWidget *under = isNarrow ? row : m_field;
+    if (parentWidget() != under) {
+        const bool wasOpen = isOpen();
+        setParent(under);
+        setVisible(wasOpen);
+    }
+    setGeometry(isNarrow ? QRect(0, m_field->y(), row->width(), m_field->height())
+                         : m_field->rect());
 }
 
 void FormulaLine::close()
@@ -35,20 +58,34 @@ void FormulaLine::close()
     if (hasFocus())
         m_field->setFocus(Qt::OtherFocusReason);
     hide();
+    setParent(m_field);
     m_isClosing = false;
+}
+
+/// It is red as long as what was refused stands there, and says why under the cursor.
+void FormulaLine::showRefused(const QString &why)
+{
+    QPalette colours = m_field->palette();
+    if (!why.isEmpty())
+        colours.setColor(QPalette::Text, theme().problem);
+    setPalette(colours);
+    setToolTip(why);
+}
+
+bool FormulaLine::isTaken()
+{
+    const QString why = isModified() ? m_takes(text()) : QString();
+    if (why.isEmpty())
+        return true;
+    showRefused(why);
+    Q_EMIT refused(why);
+    return false;
 }
 
 void FormulaLine::enter()
 {
-    if (isModified()) {
-        const QString why = m_takes(text());
-        if (!why.isEmpty()) {
-            Q_EMIT refused(why);
-            return;
-        }
-        setModified(false);
-    }
-    close();
+    if (isTaken())
+        close();
 }
 
 void FormulaLine::keyPressEvent(QKeyEvent *event)
@@ -78,11 +115,8 @@ void FormulaLine::focusOutEvent(QFocusEvent *event)
 
 bool FormulaLine::focusNextPrevChild(bool next)
 {
-    const QString why = isModified() ? m_takes(text()) : QString();
-    if (!why.isEmpty()) {
-        Q_EMIT refused(why);
+    if (!isTaken())
         return true;
-    }
     close();
     return QLineEdit::focusNextPrevChild(next); // from the field, which has the focus now
 }

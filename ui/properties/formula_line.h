@@ -20,6 +20,8 @@ public:
 
     /// Over all of the field, with the focus.
     void open(const QString &text);
+    /// The field has another size.
+    void fit();
     bool isOpen() const { return !isHidden(); }
     /// The field has the focus again, and shows its number.
     bool isClosing() const { return m_isClosing; }
@@ -34,6 +36,8 @@ protected:
 
 private:
     void close();
+    void showRefused(const QString &why);
+    bool isTaken();
     /// Stays open where it is refused.
     void enter();
 

@@ -130,10 +130,10 @@ void NumberEdit::followNames(const QString &text)
     const QString typed = text.endsWith(suffix()) ? text.chopped(suffix().size()) : text;
     const QString word = lastWord(typed);
     const QStringList known = m_followed.names();
-    const bool isName = !word.isEmpty() &&
-                        std::any_of(known.begin(), known.end(), [&word](const QString &name) {
-                            return name.startsWith(word, Qt::CaseInsensitive);
-                        });
+    const bool isName =
+        !word.isEmpty() && std::any_of(known.begin(), known.end(), [&word](const QString &name) {
+            return name.startsWith(word, Qt::CaseInsensitive);
+        });
     if (!isName)
         return;
     openFormula(typed);
@@ -198,7 +198,8 @@ void NumberEdit::resizeEvent(QResizeEvent *event)
     if (!m_mark)
         return;
     m_mark->setGeometry(lineEdit()->x(), 0, kMarkWidth, height());
-    m_formula->setGeometry(rect());
+    if (m_formula->isOpen())
+        m_formula->fit();
 }
 
 /// The tip of what it lies in is not covered while there is no expression.
