@@ -9,6 +9,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
@@ -61,6 +63,28 @@ void DimensionGroup::change(std::size_t index, double length)
     m_rows.refresh(); // what was refused goes back to what it was
 }
 
+/// Of one that is on a section alone, that; several of it are told apart by their places in the
+/// list.
+QString DimensionGroup::name(std::size_t index) const
+{
+    const Document &document = m_bench.session().model().document;
+    const auto sectionOf = [&document](const Dimension &of) {
+        return of.from.section == of.to.section ? document.find(of.from.section.drawn) : nullptr;
+    };
+    const Section *section = sectionOf(document.dimensions[index]);
+    if (!section)
+        //: %1 is a number
+        return DimensionGroupTexts::tr("Dimension %1").arg(index + 1);
+    const auto begin = document.dimensions.begin();
+    const auto isOnIt = [&](const Dimension &other) { return sectionOf(other) == section; };
+    const QString name = QString::fromStdString(section->name);
+    if (std::count_if(begin, document.dimensions.end(), isOnIt) == 1)
+        return name;
+    //: %1 is the name of a section, %2 a number
+    return DimensionGroupTexts::tr("%1 (%2)").arg(name).arg(
+        1 + std::count_if(begin, begin + static_cast<std::ptrdiff_t>(index), isOnIt));
+}
+
 QString DimensionGroup::tip(std::size_t index) const
 {
     const Document &document = m_bench.session().model().document;
@@ -76,9 +100,7 @@ void DimensionGroup::add(std::size_t index)
 {
     const QString id = QStringLiteral("dimension%1").arg(index);
     auto *row = new LengthRow(
-        //: %1 is a number
-        DimensionGroupTexts::tr("Dimension %1").arg(index + 1), id.toLatin1().constData(), kLength,
-        [this, index] { return length(index); },
+        name(index), id.toLatin1().constData(), kLength, [this, index] { return length(index); },
         [this, index](double value) { change(index, value); }, this);
     row->setFollowed(followedAt(m_bench, [this, index] { return place(index); }));
     row->addButton(
@@ -94,7 +116,10 @@ void DimensionGroup::refresh()
 {
     const std::size_t count = m_bench.session().model().document.dimensions.size();
     setVisible(count > 0);
-    if (m_rows.become(QString::number(count))) {
+    QStringList names;
+    for (std::size_t i = 0; i < count; ++i)
+        names += name(i);
+    if (m_rows.become(names.join(u'\n'))) {
         m_lengths.clear();
         for (std::size_t i = 0; i < count; ++i)
             add(i);

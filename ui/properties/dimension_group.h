@@ -25,6 +25,7 @@ private:
     std::optional<double> length(std::size_t index) const;
     std::optional<DrivenPlace> place(std::size_t index) const;
     void change(std::size_t index, double length);
+    QString name(std::size_t index) const;
     QString tip(std::size_t index) const;
 
     Workbench &m_bench;
