@@ -98,14 +98,41 @@ void StepsView::refresh()
 
 void StepsView::fit()
 {
-    if (!isOpen() || !m_viewport->steps() || m_viewport->steps()->scene.sections.empty())
-        return;
+    if (isOpen() && m_viewport->steps() && !m_viewport->steps()->scene.sections.empty())
+        fit(m_viewport->steps()->scene);
+}
+
+/// Above the bar.
+void StepsView::fit(const Scene &scene)
+{
     const Interaction &interaction = m_bench.interaction();
     const Vec2 size = interaction.viewport();
     const Vec2 below(0.0, size.y() - m_bar->y());
-    Camera camera = cameraFor(m_viewport->steps()->scene, interaction.targetCamera(), size - below);
+    Camera camera = cameraFor(scene, interaction.targetCamera(), size - below);
     camera = panned(camera, 0.5 * below, Vec2::Zero(), size);
     m_bench.setCamera(camera);
+}
+
+/// The view stays as it is where the finished model can be seen in it; else nobody would see what
+/// comes to lie under the bar.
+void StepsView::bringIntoSight()
+{
+    const Interaction &interaction = m_bench.interaction();
+    const Vec2 size = interaction.viewport();
+    const StepsPicture whole =
+        m_scene->at(m_player->stepCount(), m_bar->drawnApart(), interaction.targetCamera(), size);
+    if (whole.scene.sections.empty())
+        return;
+    const Box2 room{Vec2::Zero(), Vec2(size.x(), m_bar->y())};
+    const auto isInRoom = [&](const SceneSection &section) {
+        const std::vector<Vec2> &outer = section.shape->region().outer;
+        return std::all_of(outer.begin(), outer.end(), [&](const Vec2 &p) {
+            return room.contains(
+                interaction.targetCamera().toScreen(section.frame.toWorld(p), size));
+        });
+    };
+    if (!std::all_of(whole.scene.sections.begin(), whole.scene.sections.end(), isInRoom))
+        fit(whole.scene);
 }
 
 void StepsView::toggle()
@@ -216,6 +243,7 @@ void StepsView::open(AssemblyStepsPointer steps)
     show();
     m_bar->show();
     m_bar->raise();
+    bringIntoSight();
     m_viewport->setFocus();
     m_bench.advance(); // frames from now on
 }

@@ -18,6 +18,7 @@ class Tool;
 
 namespace fff::ui {
 
+struct Scene;
 class StepsBar;
 class StepsScene;
 class Viewport;
@@ -70,6 +71,8 @@ private:
     /// Moves the player on and shows where it is now.
     void follow();
     void show();
+    void fit(const Scene &scene);
+    void bringIntoSight();
     bool act(int key);
     double now();
 
