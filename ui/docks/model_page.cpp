@@ -78,7 +78,6 @@ ModelPage::ModelPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     column->addWidget(m_numbers);
     // What is set once is out of the way until it is asked for.
     drawing->fold();
-    m_numbers->fold();
 }
 
 void ModelPage::refresh()

@@ -1,11 +1,9 @@
 #include "ui/properties/named_number_group.h"
 
-#include "core/interaction/value_editing.h"
 #include "core/model/named_numbers.h"
 #include "core/session/measure_commands.h"
 #include "ui/base/expression_text.h"
 #include "ui/bench/workbench.h"
-#include "ui/properties/driven_field.h"
 
 #include <QCoreApplication>
 #include <QLineEdit>
@@ -22,32 +20,6 @@ struct NamedNumberGroupTexts
 };
 
 constexpr int kRefusalTime = 6000; // ms that a reason is said
-
-/// Of the kind that it comes to; a plain number stands for one of whatever field takes it.
-Value newValue(const QString &name, const QString &typed, const Document &document,
-               const Reading &reading)
-{
-    Value value;
-    value.name = name.toStdString();
-    value.typed = typed.toStdString();
-    value.reading = reading;
-    value.isShown = true;
-    const Understood<Formula> formula = Formula::read(value.typed, reading);
-    const Understood<Worth> worth =
-        formula ? formula->worth(EvaluatedValues::of(document.values).names())
-                : tl::unexpected(formula.error());
-    if (!worth)
-        return value;
-    if (worth->type == Worth::Type::Truth)
-        value.kind = ValueKind::Switch;
-    else if (worth->powers == kAnglePowers)
-        value.kind = ValueKind::Angle;
-    else if (worth->powers == kMassPowers)
-        value.kind = ValueKind::Mass;
-    else if (worth->powers.isNone() && worth->type == Worth::Type::Number)
-        value.kind = ValueKind::Number;
-    return value;
-}
 
 void refuse(QWidget *field, const QString &reason)
 {
@@ -114,53 +86,15 @@ void NamedNumberGroup::add(std::size_t index)
     m_rows.add(row);
 }
 
-/// "gap = 12 mm"
-void NamedNumberGroup::addNew()
-{
-    auto *edit = new QLineEdit(this);
-    edit->setPlaceholderText(
-        NamedNumberGroupTexts::tr("gap = 12 mm", "an example of a number with a name"));
-    edit->setToolTip(NamedNumberGroupTexts::tr(
-        "A name and its value; number fields take the name, also in sums: 2*gap"));
-    connect(edit, &QLineEdit::returnPressed, this, [this, edit] {
-        const QString text = edit->text();
-        const qsizetype equals = text.indexOf(u'=');
-        if (equals < 0) {
-            refuse(edit, NamedNumberGroupTexts::tr("Type a name, “=” and a number."));
-            return;
-        }
-        const QString name = text.left(equals).trimmed();
-        const Document &document = m_bench.session().committed().document;
-        if (findNumber(document, name.toStdString())) {
-            refuse(edit, NamedNumberGroupTexts::tr("There is already a value with this name."));
-            return;
-        }
-        const QString why = tryEdit(
-            m_bench, valueAdded(document, newValue(name, text.mid(equals + 1).trimmed(), document,
-                                                   windowReading(edit->locale()))));
-        if (!why.isEmpty()) {
-            refuse(edit, why);
-            return;
-        }
-        edit->clear();
-        if (m_bench.session().committed().document.values.list.size() == 1)
-            m_bench.run(QStringLiteral("view.values")); // where they are adjusted
-    });
-    m_rows.add(new EditorRow(
-        NamedNumberGroupTexts::tr("Add"), "number.new", edit, [] {}, this));
-}
-
 void NamedNumberGroup::refresh()
 {
     QString names;
-    // Those of files from before there were values, beside which they go on.
     for (const NamedNumber &number : m_bench.session().model().document.numbers)
         names += QString::fromStdString(number.name) + u' ';
-    if (m_rows.become(names + u'.')) {
+    setVisible(!names.isEmpty());
+    if (m_rows.become(names))
         for (std::size_t i = 0; i < m_bench.session().model().document.numbers.size(); ++i)
             add(i);
-        addNew();
-    }
     m_rows.refresh();
 }
 

@@ -1,4 +1,5 @@
-// The group "Numbers" of the Properties dock: numbers with names, to be used wherever one is typed.
+// The numbers with names of a file from before there were values (core/values), beside which they
+// go on, in the Properties dock. Other models do not have the group.
 #pragma once
 
 #include "ui/properties/varying_rows.h"
@@ -18,7 +19,6 @@ public:
 
 private:
     void add(std::size_t index);
-    void addNew();
     bool set(const QString &name, const QString &expression, QWidget *field);
 
     Workbench &m_bench;
