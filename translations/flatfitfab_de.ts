@@ -3386,8 +3386,8 @@
         <translation>Entwurf bearbeiten</translation>
     </message>
     <message>
-        <source>No value is shown to others yet</source>
-        <translation>Noch wird kein Wert anderen gezeigt</translation>
+        <source>Others can adjust no value yet</source>
+        <translation>Andere können noch keinen Wert anpassen</translation>
     </message>
 </context>
 <context>
@@ -5968,10 +5968,6 @@
         <translation>Eine Vorgabe braucht einen Namen, ohne „=“ und ohne Leerzeichen an den Enden.</translation>
     </message>
     <message>
-        <source>No value is shown to others yet, so there is nothing to keep.</source>
-        <translation>Noch wird kein Wert anderen gezeigt; es gibt nichts zu behalten.</translation>
-    </message>
-    <message>
         <source>There is no preset named “%1”.</source>
         <extracomment>%1 is what somebody took for the name of a preset</extracomment>
         <translation>Es gibt keine Vorgabe namens „%1“.</translation>
@@ -5979,6 +5975,18 @@
     <message>
         <source>This is what others see. Save the file and give it to them; it opens like this.</source>
         <translation>Das sehen andere. Speichere die Datei und gib sie weiter; sie geht so auf.</translation>
+    </message>
+    <message>
+        <source>Others can adjust no value yet, so there is nothing to keep.</source>
+        <translation>Andere können noch keinen Wert anpassen, also gibt es nichts zu behalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n presets that set nothing else are gone with it.</source>
+        <extracomment>%n presets set nothing but a value that is removed</extracomment>
+        <translation>
+            <numerusform>%n Vorgabe, die nichts anderes setzt, ist damit weg.</numerusform>
+            <numerusform>%n Vorgaben, die nichts anderes setzen, sind damit weg.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8933,16 +8941,8 @@
         <translation>Fällt um: Es steht nur auf einer einzigen Linie.</translation>
     </message>
     <message>
-        <source>No value that is shown to others has a range and is used.</source>
-        <translation>Kein Wert, der anderen gezeigt wird, hat einen Bereich und wird gebraucht.</translation>
-    </message>
-    <message>
         <source>Where:</source>
         <translation>Wo:</translation>
-    </message>
-    <message>
-        <source>Tries the ranges of the values that are shown to others.</source>
-        <translation>Probiert die Bereiche der Werte, die anderen gezeigt werden.</translation>
     </message>
     <message>
         <source>Another number tries other places, the same one the same.</source>
@@ -8981,6 +8981,19 @@
     <message>
         <source>Presets: %1</source>
         <translation>Vorgaben: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; can be %2 or %3; please write one of these.</source>
+        <extracomment>all are ways to write numbers: &quot;1,125&quot;, &quot;1.125&quot; and &quot;1125&quot;</extracomment>
+        <translation>&quot;%1&quot; kann %2 oder %3 sein; bitte schreibe eines davon.</translation>
+    </message>
+    <message>
+        <source>No value that others can adjust has a range and is used.</source>
+        <translation>Kein Wert, den andere anpassen können, hat einen Bereich und wird benutzt.</translation>
+    </message>
+    <message>
+        <source>Tries the ranges of the values that others can adjust.</source>
+        <translation>Probiert die Bereiche der Werte, die andere anpassen können.</translation>
     </message>
 </context>
 <context>
@@ -9527,6 +9540,11 @@
         <source>Changing this length stretches %1 between the two places</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Eine andere Länge streckt %1 zwischen den beiden Stellen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1 is the name of a section, %2 a number</extracomment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -11539,33 +11557,12 @@
         <translation>Ein Name ist ein Wort aus Buchstaben und Ziffern, außer „t“ und den Einheiten.</translation>
     </message>
     <message>
-        <source>gap = 12 mm</source>
-        <comment>an example of a number with a name</comment>
-        <translation>abstand = 12 mm</translation>
-    </message>
-    <message>
         <source>Named values</source>
         <translation>Benannte Werte</translation>
     </message>
     <message>
         <source>Delete this value</source>
         <translation>Diesen Wert löschen</translation>
-    </message>
-    <message>
-        <source>A name and its value; number fields take the name, also in sums: 2*gap</source>
-        <translation>Ein Name und wofür er steht; Zahlenfelder nehmen den Namen, auch in Rechnungen: 2*abstand</translation>
-    </message>
-    <message>
-        <source>Type a name, “=” and a number.</source>
-        <translation>Einen Namen, „=“ und eine Zahl schreiben.</translation>
-    </message>
-    <message>
-        <source>There is already a value with this name.</source>
-        <translation>Einen Wert dieses Namens gibt es schon.</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -12844,10 +12841,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
         <source>Area</source>
         <translation>Fläche</translation>
     </message>
@@ -12882,6 +12875,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>How its parts may be turned on the sheet: one that keeps to the grain lies as it is drawn, or by half turns</source>
         <translation>Wie ihre Teile auf der Platte gedreht werden dürfen: Was sich an die Maserung hält, liegt wie gezeichnet oder um halbe Drehungen</translation>
+    </message>
+    <message>
+        <source>Another length stretches the contour about its slit, or its middle</source>
+        <translation>Eine andere Länge streckt die Kontur um ihren Schlitz oder ihre Mitte</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
 </context>
 <context>
@@ -14627,16 +14632,8 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Art</translation>
     </message>
     <message>
-        <source>Least</source>
-        <translation>Mindestens</translation>
-    </message>
-    <message>
         <source>any</source>
         <translation>beliebig</translation>
-    </message>
-    <message>
-        <source>Most</source>
-        <translation>Höchstens</translation>
     </message>
     <message>
         <source>Step</source>
@@ -14659,12 +14656,20 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Überschrift darüber</translation>
     </message>
     <message>
-        <source>Shown to others</source>
-        <translation>Anderen gezeigt</translation>
-    </message>
-    <message>
         <source>It can be set where the design is handed on for adjusting</source>
         <translation>Er lässt sich einstellen, wo der Entwurf zum Anpassen weitergegeben wird</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Others can adjust it</source>
+        <translation>Andere können ihn anpassen</translation>
     </message>
 </context>
 <context>
@@ -14688,8 +14693,8 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::ValueRows</name>
     <message>
-        <source>Not shown to others</source>
-        <translation>Anderen nicht gezeigt</translation>
+        <source>Only for you</source>
+        <translation>Nur für dich</translation>
     </message>
 </context>
 <context>
@@ -14759,6 +14764,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 von %n Varianten taugen nicht: %2.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The range is narrower now of: %1.</source>
+        <extracomment>%1 are names of values: &quot;width, boards&quot;</extracomment>
+        <translation>Enger ist jetzt der Bereich von: %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ValuesDock</name>
@@ -14802,6 +14812,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Wer das gespeicherte Modell öffnet, sieht die Ansicht, die gezeigten Werte und den Export, sonst nichts.</translation>
+    </message>
+    <message>
+        <source>It is cut from %1.</source>
+        <translation>Er wird aus %1 geschnitten.</translation>
     </message>
 </context>
 <context>

@@ -349,6 +349,14 @@
             <numerusform>Fold along the scored lines, then join edges with the same number: %n seams.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n presets that set nothing else are gone with it.</source>
+        <extracomment>%n presets set nothing but a value that is removed</extracomment>
+        <translation>
+            <numerusform>%n preset that sets nothing else is gone with it.</numerusform>
+            <numerusform>%n presets that set nothing else are gone with it.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Mesh</name>

@@ -29,7 +29,7 @@ constexpr Text kDeletePreset = FFF_TEXT("Step", "Delete the preset %1");
 constexpr Text kNoPresetName =
     FFF_TEXT("Hint", "A preset needs a name, without “=” and blanks at its ends.");
 constexpr Text kNothingToKeep =
-    FFF_TEXT("Hint", "No value is shown to others yet, so there is nothing to keep.");
+    FFF_TEXT("Hint", "Others can adjust no value yet, so there is nothing to keep.");
 //: %1 is what somebody took for the name of a preset
 constexpr Text kNoSuchPreset = FFF_TEXT("Hint", "There is no preset named “%1”.");
 constexpr Text kHandOn = FFF_TEXT("Step", "Hand on for adjusting");
@@ -39,6 +39,9 @@ constexpr Text kEditDesign = FFF_TEXT("Step", "Edit the design");
 //: %n numbers were made of a value that is removed
 constexpr Text kNowNumbers =
     FFF_TEXT_OF_MANY("Hint", "%n that were made of it are plain numbers now.");
+//: %n presets set nothing but a value that is removed
+constexpr Text kPresetsGone =
+    FFF_TEXT_OF_MANY("Hint", "%n presets that set nothing else are gone with it.");
 
 tl::unexpected<Hint> refusedWith(Message why)
 {
@@ -90,7 +93,12 @@ SectionEdit valueRemoved(const Document &document, ValueId id)
         return refused(expression_words::kNoSuchValue);
     RemovedValue removed = removeValue(document, id);
     EditedSections edit{std::move(removed.document), {kDeleteValue, {Named{known->name}}}};
-    if (removed.users > 0)
+    const auto presets = [](const Document &of) {
+        return static_cast<int>(of.values.presets.size());
+    };
+    if (const int gone = presets(document) - presets(edit.document); gone > 0)
+        edit.note = Hint(Message{kPresetsGone, {}, gone});
+    else if (removed.users > 0)
         edit.note = Hint(Message{kNowNumbers, {}, removed.users});
     return edit;
 }

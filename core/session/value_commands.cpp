@@ -245,7 +245,7 @@ void registerValueCommands(CommandRegistry &registry, Session &session, Interact
                                           return document.opensForAdjusting ||
                                                  hasShownValue(document.values);
                                       },
-                                      FFF_TEXT("Command", "No value is shown to others yet")),
+                                      FFF_TEXT("Command", "Others can adjust no value yet")),
                                   {},
                                   [&session]() -> Message {
                                       if (session.committed().document.opensForAdjusting)

@@ -253,14 +253,14 @@ void ValueDetails::addRange()
             },
             placeholder));
     };
-    addBound(tr("Least"), "valueLeast", &ValueRange::least, tr("any"));
-    addBound(tr("Most"), "valueMost", &ValueRange::most, tr("any"));
+    addBound(tr("Minimum"), "valueLeast", &ValueRange::least, tr("any"));
+    addBound(tr("Maximum"), "valueMost", &ValueRange::most, tr("any"));
     addBound(tr("Step"), "valueStep", &ValueRange::step, tr("any"));
 }
 
 void ValueDetails::addShown()
 {
-    auto *shown = new QCheckBox(tr("Shown to others"), this);
+    auto *shown = new QCheckBox(tr("Others can adjust it"), this);
     shown->setToolTip(tr("It can be set where the design is handed on for adjusting"));
     connect(shown, &QCheckBox::clicked, this, [this](bool isOn) {
         change([isOn](Value &of) {

@@ -11,6 +11,7 @@
 #include "ui/properties/driven_field.h"
 #include "ui/properties/property_rows.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -37,6 +38,8 @@ ValueRow::ValueRow(Workbench &bench, ValueId value, QWidget *parent)
     m_name->setMinimumWidth(kValueNameWidth);
     m_name->setAccessibleName(tr("Name of the value"));
     connect(m_name, &QLineEdit::editingFinished, this, &ValueRow::rename);
+    connect(m_name, &QLineEdit::textEdited, this, &ValueRow::forgetRefusal);
+    m_name->installEventFilter(this);
     m_more =
         smallButton(QStringLiteral("chevron_right"), "valueMore", tr("Kind, range and note"), this);
     connect(m_more, &QToolButton::clicked, this,
@@ -103,17 +106,61 @@ void ValueRow::rename()
     const Value *known = document.values.find(m_id);
     if (!m_name->isModified() || !known)
         return;
-    m_name->setModified(false);
-    const std::string name = m_name->text().trimmed().toStdString();
+    // Whoever writes two words means one name.
+    const std::string name = m_name->text().simplified().replace(u' ', u'_').toStdString();
     const QString why =
         name == known->name ? QString() : tryEdit(m_bench, valueRenamed(document, m_id, name));
+    // What was refused stays to be mended, as long as somebody is at it.
+    m_name->setModified(!why.isEmpty() && m_name->hasFocus());
     say(why);
+}
+
+/// A name that was refused and is left is given up.
+bool ValueRow::eventFilter(QObject *object, QEvent *event)
+{
+    if (object == m_name && event->type() == QEvent::FocusOut)
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                if (m_name->hasFocus() || !m_name->isModified() || !window()->isActiveWindow())
+                    return;
+                m_name->setModified(false);
+                refresh();
+            },
+            Qt::QueuedConnection);
+    return QWidget::eventFilter(object, event);
+}
+
+void ValueRow::forgetRefusal()
+{
+    if (m_refusal.isEmpty())
+        return;
+    m_refusal.clear();
+    refresh();
 }
 
 void ValueRow::say(const QString &why)
 {
     m_refusal = why;
     refresh();
+}
+
+/// From the name to the field, and then to what stands beside that: an editor with a focus proxy
+/// alone would be passed over.
+void ValueRow::orderTabs()
+{
+    QWidget *field = m_editor->focusProxy();
+    QWidget *before = m_name;
+    const auto comeNext = [&before](QWidget *widget) {
+        setTabOrder(before, widget);
+        before = widget;
+    };
+    if (field)
+        comeNext(field);
+    for (QWidget *widget : m_editor->findChildren<QWidget *>())
+        if (widget != field && !widget->focusProxy() && (widget->focusPolicy() & Qt::TabFocus))
+            comeNext(widget);
+    comeNext(m_more);
 }
 
 void ValueRow::showEditor(const KnownValue &known)
@@ -130,8 +177,7 @@ void ValueRow::showEditor(const KnownValue &known)
     m_editor->setObjectName(QStringLiteral("valueEditor"));
     connect(m_editor, &ValueEditor::refused, this, &ValueRow::say);
     m_grid->addWidget(m_editor, kValueItself, kValueEditor);
-    setTabOrder(m_name, m_editor);
-    setTabOrder(m_editor, m_more);
+    orderTabs();
     dress(m_editor);
     m_editor->QWidget::show();
     if (hadFocus)

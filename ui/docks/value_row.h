@@ -33,6 +33,8 @@ public:
     /// Its name is to be typed.
     void beginNaming();
     void unfold(bool unfolds);
+    /// What was refused before is not said any more.
+    void forgetRefusal();
 
 Q_SIGNALS:
     void hovered(bool isOver);
@@ -40,10 +42,12 @@ Q_SIGNALS:
 protected:
     void enterEvent(QEnterEvent *event) override;
     void leaveEvent(QEvent *event) override;
+    bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
     void rename();
     void showEditor(const KnownValue &known);
+    void orderTabs();
     void say(const QString &why);
 
     Workbench &m_bench;

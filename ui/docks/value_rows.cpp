@@ -90,7 +90,7 @@ void ValueRows::arrange(const std::vector<Heading> &headings)
     m_groups.clear();
     for (const Heading &heading : headings) {
         const QString name =
-            heading.isHidden ? tr("Not shown to others") : QString::fromStdString(heading.group);
+            heading.isHidden ? tr("Only for you") : QString::fromStdString(heading.group);
         auto *group = new PropertyGroup(name, this);
         group->setObjectName(QStringLiteral("valueHeading"));
         for (const ValueId value : heading.values) {
@@ -140,6 +140,12 @@ void ValueRows::refresh()
     if (!m_headings.empty() && m_headings.back().isHidden && isHiddenWrong())
         m_groups.back()->fold(false);
     setHidden(m_rows.empty());
+}
+
+void ValueRows::forgetRefusals()
+{
+    for (ValueRow *row : m_rows)
+        row->forgetRefusal();
 }
 
 void ValueRows::beginNaming(ValueId value)

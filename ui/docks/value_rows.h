@@ -27,6 +27,7 @@ public:
     void setAdjustsOnly(bool only);
     /// Rows that are there stay, with what is typed in them and what is unfolded.
     void refresh();
+    void forgetRefusals();
     bool isEmpty() const { return m_rows.empty(); }
     /// The name of this value is to be typed.
     void beginNaming(ValueId value);

@@ -25,6 +25,17 @@ namespace {
 constexpr std::size_t kMostPlaces = 5; // that are listed
 constexpr int kBetweenTrialRows = 2;   // px
 
+QString namesOfOtherRanges(const Document &before, const Document &now)
+{
+    QStringList names;
+    for (const ValuePointer &known : now.values.list) {
+        const Value *was = before.values.find(known->value.id);
+        if (was && (was->range != known->value.range || was->choices != known->value.choices))
+            names += QString::fromStdString(known->value.name);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 ValueTrialRows::ValueTrialRows(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
@@ -76,6 +87,7 @@ void ValueTrialRows::follow()
                      [&](const Document &one) { return one.isSame(now); }))
         m_job.drop();
     m_refusal.clear();
+    m_done.clear();
     refresh();
 }
 
@@ -85,6 +97,7 @@ void ValueTrialRows::act(int index)
     switch (m_does[static_cast<std::size_t>(index)]) {
     case Does::Try:
         m_refusal.clear();
+        m_done.clear();
         m_sameRanges = {model.document};
         m_job.start(model, m_bench.session().scheduler().rules());
         break;
@@ -92,9 +105,20 @@ void ValueTrialRows::act(int index)
         m_job.drop();
         break;
     case Does::Narrow:
-        carryOut(rangesNarrowed(model, *m_job.result()));
+        narrow();
         break;
     }
+}
+
+void ValueTrialRows::narrow()
+{
+    const Document before = m_bench.session().committed().document;
+    carryOut(rangesNarrowed(m_bench.session().committed(), *m_job.result()));
+    const QString names = namesOfOtherRanges(before, m_bench.session().committed().document);
+    if (m_refusal.isEmpty() && !names.isEmpty())
+        //: %1 are names of values: "width, boards"
+        m_done = tr("The range is narrower now of: %1.").arg(names);
+    refresh();
 }
 
 void ValueTrialRows::goTo(std::size_t row)
@@ -160,12 +184,20 @@ QString ValueTrialRows::placeText(std::size_t index) const
 
 void ValueTrialRows::showPlaces()
 {
-    m_worst = m_job.result() ? m_job.result()->worst() : std::vector<std::size_t>();
+    m_worst.clear();
+    QStringList texts;
+    // Places between the steps that are shown read alike: one of them is enough.
+    for (const std::size_t place :
+         m_job.result() ? m_job.result()->worst() : std::vector<std::size_t>())
+        if (const QString text = placeText(place); !texts.contains(text)) {
+            m_worst.push_back(place);
+            texts += text;
+        }
     for (std::size_t i = 0; i < m_places.size(); ++i) {
         const bool isThere = i < m_worst.size();
         m_places[i]->setVisible(isThere);
         if (isThere)
-            m_places[i]->setTexts({placeText(m_worst[i])});
+            m_places[i]->setTexts({texts[static_cast<qsizetype>(i)]});
     }
     const int others = static_cast<int>(m_worst.size()) - static_cast<int>(m_places.size());
     m_others->setVisible(others > 0);
@@ -181,7 +213,7 @@ void ValueTrialRows::refresh()
     if (!isWanted)
         return;
     const bool fails = trials && trials->failing() > 0;
-    QString said = m_refusal;
+    QString said = m_refusal.isEmpty() ? m_done : m_refusal;
     if (said.isEmpty() && m_job.isRunning())
         said = tr("Trying the ranges… %1 %").arg(static_cast<int>(100.0 * m_job.progress()));
     else if (said.isEmpty() && trials)

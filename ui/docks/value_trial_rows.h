@@ -33,6 +33,7 @@ private:
     void act(int index);
     void goTo(std::size_t row);
     void carryOut(SectionEdit edit);
+    void narrow();
     QString verdict() const;
     QString placeText(std::size_t index) const;
     void showPlaces();
@@ -45,7 +46,7 @@ private:
     std::vector<Does> m_does;           // of the links
     std::vector<std::size_t> m_worst;   // of the places, as they are listed
     std::vector<Document> m_sameRanges; // of which the trials are, too: their places
-    QString m_refusal;
+    QString m_refusal, m_done;          // what came of the last link
     bool m_isOffered = true;
     ValueTrialJob m_job; // last: its destructor waits
 };

@@ -12,6 +12,7 @@
 #include "ui/docks/value_rows.h"
 #include "ui/docks/value_trial_rows.h"
 #include "ui/properties/driven_field.h"
+#include "ui/properties/stock_choice.h"
 #include "ui/settings/settings.h"
 
 #include <QLabel>
@@ -19,6 +20,8 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <set>
 
 namespace fff::ui {
 
@@ -39,9 +42,7 @@ ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
     area->setFocusPolicy(Qt::NoFocus);
     area->setAccessibleName(tr("Values"));
     auto *page = new QWidget(area);
-    m_purpose = new QLabel(tr("This design is made to be adjusted: set its values, then export it. "
-                              "Drag in the view to turn it."),
-                           page);
+    m_purpose = new QLabel(page);
     m_purpose->setObjectName(QStringLiteral("valuesPurpose"));
     m_purpose->setWordWrap(true);
     m_purpose->setForegroundRole(QPalette::PlaceholderText);
@@ -78,11 +79,12 @@ ValuesDock::ValuesDock(Workbench &bench, QWidget *parent)
     column->addWidget(m_trials);
     column->addWidget(m_add);
     column->addWidget(m_presets->first());
-    column->addWidget(m_handOn);
     column->addStretch(1);
+    column->addWidget(m_handOn); // apart: what it does is no edit of the values
     area->setWidget(page);
     setWidget(area);
     connect(&bench.session(), &Session::modelChanged, this, &ValuesDock::refresh);
+    connect(&bench.session(), &Session::committedChanged, m_rows, &ValueRows::forgetRefusals);
     connect(&settings(), &Settings::unitChanged, this, &ValuesDock::refresh);
     refresh();
 }
@@ -140,11 +142,33 @@ void ValuesDock::refresh()
     m_problems->setPalette(colours);
 }
 
+/// What the parts are cut from, which whoever adjusts the design has to have at hand.
+QString ValuesDock::stocks() const
+{
+    const Model &model = m_bench.session().model();
+    std::set<StockId> used;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        used.insert(model.section(i)->stock);
+    QStringList names;
+    for (const StockId id : used)
+        if (const Stock *stock = model.document.find(id))
+            names += stockText(*stock, locale());
+    return names.join(QStringLiteral(", "));
+}
+
 /// What stands above and below the rows.
 void ValuesDock::refreshAround()
 {
     const bool hasShown = hasShownValue(m_bench.session().model().document.values);
     m_purpose->setVisible(m_adjustsOnly && hasShown);
+    if (m_purpose->isVisibleTo(this)) {
+        const QString from = stocks();
+        m_purpose->setText(
+            tr("This design is made to be adjusted: set its values, then export "
+               "it. Drag in the view to turn it.") +
+            //: %1 are stocks: "Birch plywood 3 mm"
+            (from.isEmpty() ? QString() : u' ' + tr("It is cut from %1.").arg(from)));
+    }
     m_empty->setVisible(m_rows->isEmpty());
     m_empty->setText(
         m_adjustsOnly

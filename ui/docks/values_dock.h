@@ -40,6 +40,7 @@ private:
     void refreshAround();
     void light(ValueId value, bool isOver);
     QString notFollowing() const;
+    QString stocks() const;
 
     Workbench &m_bench;
     QLabel *m_purpose = nullptr; // for whoever only adjusts

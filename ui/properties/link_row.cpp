@@ -173,6 +173,9 @@ void LinkRow::setTexts(const QStringList &texts)
         m_links.push_back(link);
     }
     for (std::size_t i = 0; i < m_links.size(); ++i) {
+        // It would go on to whatever is next in the window, such as the name of something.
+        if (i >= count && m_links[i]->hasFocus() && count > 0)
+            m_links.front()->setFocus(Qt::OtherFocusReason);
         m_links[i]->setVisible(i < count);
         if (i >= count)
             continue;

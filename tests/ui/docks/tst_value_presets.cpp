@@ -156,15 +156,14 @@ void TestValuePresets::groupsAreHeadings()
     Document grouped = withValue(shownWidth(), "height", "3 mm");
     grouped = withShown(withValue(grouped, "depth", "4 mm"), "depth", "Size");
     open(withShown(grouped, "height", "Size"));
-    QCOMPARE(headings(), (QStringList{QString(), QStringLiteral("Size"),
-                                      QStringLiteral("Not shown to others")}));
+    QCOMPARE(headings(),
+             (QStringList{QString(), QStringLiteral("Size"), QStringLiteral("Only for you")}));
     // What is typed for a group takes the row there, and the hand stays in it.
     auto *field = detail<QWidget>("width", "valueGroup");
     auto *line = qobject_cast<QLineEdit *>(field);
     QVERIFY(line);
     type(line, QStringLiteral("Size"));
-    QCOMPARE(headings(),
-             (QStringList{QStringLiteral("Size"), QStringLiteral("Not shown to others")}));
+    QCOMPARE(headings(), (QStringList{QStringLiteral("Size"), QStringLiteral("Only for you")}));
     QVERIFY(row("width")->isAncestorOf(m_window->focusWidget()));
     QCOMPARE(document().values.find(std::string_view("width"))->group, std::string("Size"));
 }

@@ -125,13 +125,20 @@ void TestValueTrialRows::narrowingIsOneStep()
     open(board(3000.0));
     tryAll();
     QCOMPARE(links().texts().size(), 2);
+    activate();
+    links().findChildren<QAbstractButton *>()[1]->setFocus();
     press(links(), 1);
     QCOMPARE(steps(), 1);
+    // Wrong: the cursor was in the name of a value, without a word of what had been done.
+    QVERIFY(links().isAncestorOf(m_window->focusWidget()));
+    QVERIFY2(said().contains(QStringLiteral("width")), qPrintable(said()));
     const Value *width = document().values.find(std::string_view("width"));
     QVERIFY(*width->range.most < 3000.0);
     QCOMPARE(*width->range.least, 80.0);
-    QCOMPARE(said(), QString()); // of other ranges nothing is known
+    QVERIFY(places().isEmpty()); // of other ranges nothing is known
+    QCOMPARE(links().texts(), QStringList{QStringLiteral("Try all ranges")});
     bench().session().history()->undo();
+    QCOMPARE(said(), QString());
     QCOMPARE(*document().values.find(std::string_view("width"))->range.most, 3000.0);
 }
 

@@ -36,6 +36,9 @@ private Q_SLOTS:
     void escapeTakesADragBack();
     void aRowSaysWhatIsWrongWithIt();
     void renamingFollowsEverywhere();
+    void aNameOfTwoWords();
+    void whatWasRefusedIsMended();
+    void tabGoesFromTheNameToTheNumber();
     void removingSaysHowMany();
     void kindsHaveTheirEditors();
     void rangesMakeSliders();
@@ -139,13 +142,65 @@ void TestValuesDock::aRowSaysWhatIsWrongWithIt()
 void TestValuesDock::renamingFollowsEverywhere()
 {
     open(adjustable());
-    auto *name = row("width")->findChild<QLineEdit *>(QStringLiteral("valueName"));
+    ValueRow *of = row("width");
+    auto *name = of->findChild<QLineEdit *>(QStringLiteral("valueName"));
     type(name, QStringLiteral("span"));
     QCOMPARE(document().values.find(std::string_view("half"))->typed, std::string("span/2"));
     QCOMPARE(thickness(), 4.0);
     type(name, QStringLiteral("half")); // taken
-    QVERIFY(problem("span").endsWith(u'.') || !problem("half").isEmpty());
+    auto *problem = of->findChild<QLabel *>(QStringLiteral("valueProblem"));
+    QVERIFY(problem->isVisible() && problem->text().endsWith(u'.'));
     QVERIFY(document().values.find(std::string_view("span")));
+}
+
+// Wrong: who wrote "my gap" lost both words.
+void TestValuesDock::aNameOfTwoWords()
+{
+    open(adjustable());
+    type(row("width")->findChild<QLineEdit *>(QStringLiteral("valueName")),
+         QStringLiteral(" my  span "));
+    QVERIFY(document().values.find(std::string_view("my_span")));
+    QCOMPARE(document().values.find(std::string_view("half"))->typed, std::string("my_span/2"));
+}
+
+// Wrong: what was typed was gone, and the reason stayed for good.
+void TestValuesDock::whatWasRefusedIsMended()
+{
+    open(adjustable());
+    ValueRow *of = row("width");
+    auto *name = of->findChild<QLineEdit *>(QStringLiteral("valueName"));
+    auto *problem = of->findChild<QLabel *>(QStringLiteral("valueProblem"));
+    type(name, QStringLiteral("2gether"));
+    QCOMPARE(name->text(), QStringLiteral("2gether"));
+    QVERIFY(problem->isVisible());
+    QTest::keyClick(name, Qt::Key_Home);
+    QTest::keyClick(name, Qt::Key_Delete);
+    QVERIFY(!problem->isVisible());
+    QTest::keyClick(name, Qt::Key_Return);
+    QVERIFY(document().values.find(std::string_view("gether")));
+    auto *number = in<NumberEdit>("gether");
+    type(name, QStringLiteral("half")); // taken
+    QVERIFY(problem->isVisible());
+    number->setFocus(); // given up
+    QTRY_COMPARE(name->text(), QStringLiteral("gether"));
+    type(in<NumberEdit>("gether"), QStringLiteral("44"));
+    QVERIFY(!problem->isVisible());
+}
+
+void TestValuesDock::tabGoesFromTheNameToTheNumber()
+{
+    open(newDocument());
+    activate();
+    QTest::mouseClick(dock().findChild<QPushButton *>(QStringLiteral("valueAdd")), Qt::LeftButton);
+    auto *name = qobject_cast<QLineEdit *>(m_window->focusWidget());
+    QVERIFY(name);
+    QTest::keyClicks(name, QStringLiteral("gap"));
+    QTest::keyClick(name, Qt::Key_Tab);
+    QVERIFY(row("gap"));
+    QCOMPARE(m_window->focusWidget(), in<NumberEdit>("gap"));
+    QTest::keyClicks(m_window->focusWidget(), QStringLiteral("12"));
+    QTest::keyClick(m_window->focusWidget(), Qt::Key_Tab);
+    QCOMPARE(worth("gap"), 12.0);
 }
 
 void TestValuesDock::removingSaysHowMany()
