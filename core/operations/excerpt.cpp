@@ -3,6 +3,7 @@
 #include "core/model/bindings.h"
 #include "core/model/placed_loads.h"
 #include "core/model/sheet_edits.h"
+#include "core/operations/baking.h"
 #include "core/operations/drivable.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/kept_slits.h"
