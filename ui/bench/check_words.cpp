@@ -1,6 +1,7 @@
 #include "ui/bench/check_words.h"
 
 #include "core/analysis/findings/of_sections.h"
+#include "core/session/full_stop.h"
 #include "core/session/message_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/measures.h"
@@ -49,11 +50,11 @@ CheckWords checkWords(const Finding &finding, const Model &model)
         said = Message(std::get<Message>(said.arguments.back()));
     }
     const QString whole = messageText(said, units);
-    const qsizetype end = whole.indexOf(QStringLiteral(". "));
+    const FirstSentence split = firstSentence(whole);
     // Its first sentence is the verdict.
-    const bool isVerdictFirst = end >= 0 && !finding.isYet;
-    const QString title = isVerdictFirst ? whole.left(end) : verdictText(finding);
-    const QString text = end >= 0 ? whole.mid(end + 2) : whole;
+    const bool isVerdictFirst = !split.rest.isEmpty() && !finding.isYet;
+    const QString title = isVerdictFirst ? split.first : verdictText(finding);
+    const QString text = split.rest.isEmpty() ? whole : split.rest;
     if (whose.isEmpty())
         return {title, text};
     //: %1 names sections, %2 is a sentence about them such as "Tips only past 12°."

@@ -1,6 +1,7 @@
 #include "ui/bench/skin_picture.h"
 
 #include "core/analysis/asked_skin.h"
+#include "core/session/full_stop.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "ui/bench/workbench.h"
@@ -97,7 +98,7 @@ QString skinDetails(const Scheduler &scheduler)
     const QString open =
         asked->skin.open > 0
             ? SkinStateTexts::tr("%1; %n places stay open.", "", asked->skin.open).arg(patches)
-            : patches + u'.';
+            : withFullStop(patches);
     return open + u' ' + SkinStateTexts::tr("Click to see the sections alone again.") +
            whyOpen(*asked);
 }

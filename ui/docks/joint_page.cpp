@@ -2,6 +2,7 @@
 
 #include "core/assembly/joint_editing.h"
 #include "core/base/units.h"
+#include "core/session/full_stop.h"
 #include "ui/base/icon.h"
 #include "ui/base/lengths.h"
 #include "ui/base/theme.h"
@@ -255,7 +256,7 @@ QString JointPage::problemText(const QString &a, const QString &b) const
     const QString why = jointObstacleText(m_state->whyNoJoint());
     QStringList text{tr("%1 and %2 overlap.").arg(a.toHtmlEscaped(), b.toHtmlEscaped())};
     if (!why.isEmpty())
-        text += why + QLatin1Char('.');
+        text += withFullStop(why);
     QStringList links;
     for (const auto &[section, target] : {std::pair(&m_joint->a, "a"), {&m_joint->b, "b"}}) {
         if (section->drawn.isValid())

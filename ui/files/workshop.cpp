@@ -3,6 +3,7 @@
 #include "core/analysis/planned.h"
 #include "core/io/error_text.h"
 #include "core/session/assembly_steps.h"
+#include "core/session/full_stop.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "ui/base/file_dialog.h"
@@ -83,7 +84,7 @@ WorkshopSteps workshopSteps(QWidget &window, const Session &session, const QStri
                           [&scheduler] { return scheduler.isSettled(kPlanned.name); }))
         return {{}, {}, true};
     if (const auto why = scheduler.whyNot(kPlanned.name))
-        return withoutSteps(io::errorSentence(*why) + u'.');
+        return withoutSteps(withFullStop(io::errorSentence(*why)));
     const auto planned = scheduler.result(kPlanned);
     const AssemblyStepsPointer steps =
         planned ? assemblySteps(planned->analysis, planned->plan) : nullptr;

@@ -2,6 +2,7 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "core/interaction/view_cube.h"
+#include "core/session/full_stop.h"
 #include "ui/view/problem_marks.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/sign_painter.h"
@@ -114,8 +115,8 @@ private:
 /// Of gestures and tools, and of what is selected.
 void Drawing::signs()
 {
-    const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation, m_scene.unit,
-                          m_scene.offer, m_scene.isOfferLit};
+    const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation,
+                          m_scene.unit,    m_scene.offer,  m_scene.isOfferLit};
     paintSigns(m_pen,
                {&m_scene.selected, &m_scene.overlay.drawn, &m_scene.dimensions,
                 &m_scene.overlay.held, &m_scene.overlay.offered},
@@ -268,10 +269,9 @@ void Drawing::hoveredMark()
         //: a problem: its number in the list, and what it is: "3  Sections overlap"
         QString text = OverlayTexts::tr("%1  %2").arg(m_locale.toString(first.number),
                                                       QString::fromStdString(first.words));
-        if (others > 0 && text.endsWith(u'.'))
-            text.chop(1); // the sentence goes on
-        if (others > 0)
-            text = OverlayTexts::tr("%1, and %n more here", nullptr, others).arg(text);
+        if (others > 0) // the sentence goes on
+            text = OverlayTexts::tr("%1, and %n more here", nullptr, others)
+                       .arg(withoutFullStop(text));
         const double reach = mark.isDot ? kDotsRadius : kMarkRadius;
         // What it is about stays in sight: its place, and what is next to that.
         m_pen.keepFree(QRectF(mark.anchor.x(), mark.anchor.y(), 0.0, 0.0)

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
+#include "core/session/full_stop.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -38,7 +39,7 @@ QString sentence(QString text)
 {
     if (!text.isEmpty())
         text[0] = text[0].toUpper();
-    return text + u'.';
+    return withFullStop(text);
 }
 
 // The command line has no plurals of its own.
