@@ -111,6 +111,20 @@ bool ChoiceBox::event(QEvent *event)
     return QComboBox::event(event);
 }
 
+int ChoiceBox::widthForShown() const
+{
+    ensurePolished();
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    const int room =
+        style()
+            ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this)
+            .width();
+    const int chip = option.currentIcon.isNull() ? 0 : option.iconSize.width() + kBesideChip;
+    return width() - room + chip + 2 * kInset + kShort +
+           fontMetrics().horizontalAdvance(option.currentText);
+}
+
 /// As QComboBox does it, which cuts a long text off in the middle of a letter.
 void ChoiceBox::paintEvent(QPaintEvent *)
 {

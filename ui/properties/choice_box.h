@@ -37,6 +37,8 @@ public:
     /// In the colours of the theme, which are the window's, not those of a list that opens over it.
     QSize sizeHint() const override;
     void showPopup() override;
+    /// In which all of what is chosen can be read, px.
+    int widthForShown() const;
 
 protected:
     bool event(QEvent *event) override;

@@ -15,6 +15,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLabelWidth = 96, kRowHeight = 30; // px
+constexpr int kNameAbove = 20;                   // px, of a name that stands above its editor
 
 } // namespace
 
@@ -116,10 +117,42 @@ void PropertyRow::giveNameTheRest()
 void PropertyRow::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    placeName();
     if (!m_nameHasTheRest)
         return;
     layout()->activate();
     showName();
+}
+
+void PropertyRow::setLeastRoom(int width)
+{
+    m_leastRoom = width;
+    placeName();
+}
+
+void PropertyRow::placeName()
+{
+    if (m_label->isHidden() || m_nameHasTheRest)
+        return;
+    int beside =
+        std::max(m_label->minimumWidth(), m_label->sizeHint().width()) + layout()->spacing();
+    for (int i = 0; i < layout()->count(); ++i)
+        if (const QWidget *other = layout()->itemAt(i)->widget();
+            other && other != m_label && other != m_editor)
+            beside += other->width() + layout()->spacing();
+    const bool isAbove = width() - beside < m_leastRoom;
+    if (isAbove != m_isNameAbove) {
+        m_isNameAbove = isAbove;
+        auto *row = static_cast<QHBoxLayout *>(layout());
+        if (isAbove)
+            row->removeWidget(m_label);
+        else
+            row->insertWidget(0, m_label);
+        row->setContentsMargins(0, isAbove ? kNameAbove : 0, 0, 0);
+        setMinimumHeight(kRowHeight + (isAbove ? kNameAbove : 0));
+    }
+    if (isAbove)
+        m_label->setGeometry(0, 0, width(), kNameAbove);
 }
 
 /// What is read out when it has the focus.
@@ -221,6 +254,13 @@ ChoiceRow::ChoiceRow(const QString &name, const char *objectName, std::function<
 void ChoiceRow::refresh()
 {
     m_box->setChoices(m_read());
+    setLeastRoom(m_box->widthForShown());
+}
+
+void ChoiceRow::resizeEvent(QResizeEvent *event)
+{
+    setLeastRoom(m_box->widthForShown());
+    PropertyRow::resizeEvent(event);
 }
 
 EditorRow::EditorRow(const QString &name, const char *objectName, QWidget *editor,

@@ -50,18 +50,23 @@ protected:
     void giveWholeRow();
     /// Where the editor needs more room than others; px.
     void narrowLabel(int width);
+    /// The name stands above the editor where that, beside it, has not so much room, px.
+    void setLeastRoom(int width);
     /// The editor takes the rest of the row; it is called as the row is.
     void setEditor(QWidget *editor, const char *objectName, bool fills);
 
 private:
     void showName();
     void tellEditor();
+    void placeName();
 
     QLabel *m_label = nullptr;
     QWidget *m_editor = nullptr;
     QString m_pattern, m_of; // its name
     bool m_isMarked = false;
     bool m_nameHasTheRest = false;
+    int m_leastRoom = 0;
+    bool m_isNameAbove = false;
 };
 
 /// Read only.
@@ -104,6 +109,9 @@ public:
     ChoiceRow(const QString &name, const char *objectName, std::function<Choices()> read,
               std::function<void(int)> write, QWidget *parent = nullptr);
     void refresh() override;
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     ChoiceBox *m_box = nullptr;
