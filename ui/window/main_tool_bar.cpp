@@ -131,8 +131,10 @@ void MainToolBar::fold(int windowWidth)
                          : static_cast<int>(m_ofSection.size()) *
                                (widgetForAction(m_ofDrawing)->sizeHint().width() + kBetweenButtons);
     m_stock->setShort(windowWidth < kWholeStock);
-    if (labels && sizeHint().width() + room > windowWidth)
+    if (labels && sizeHint().width() + room > windowWidth) {
         m_stock->setShort(true);
+        layout()->invalidate(); // it is asked at once
+    }
     labels = labels && sizeHint().width() + room <= windowWidth;
     if (!labels) {
         setToolButtonStyle(Qt::ToolButtonIconOnly);
