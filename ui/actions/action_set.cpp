@@ -3,6 +3,7 @@
 #include "core/session/message_text.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
+#include "ui/actions/menu_keys.h"
 #include "ui/actions/menu_table.h"
 #include "ui/base/icon.h"
 #include "ui/bench/workbench.h"
@@ -16,8 +17,9 @@ namespace fff::ui {
 
 namespace {
 
-constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
-constexpr char kOwnKeys[] = "ownKeys";   // as the program has them
+constexpr char kSentence[] = "sentence";         // of the tooltip, without the shortcut
+constexpr char kOwnKeys[] = "ownKeys";           // as the program has them
+constexpr char kEnglishTitle[] = "englishTitle"; // of a menu
 
 bool isSearchedMenu(const MenuRow &row)
 {
@@ -27,6 +29,12 @@ bool isSearchedMenu(const MenuRow &row)
 QStringList words(const char *text)
 {
     return QString::fromLatin1(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+/// As words of commands name it.
+QString nameOf(const MenuRow &row)
+{
+    return row.key ? QLatin1String(row.key) : QString::fromLatin1(row.title).remove(u'&');
 }
 
 /// And what opens beside it with nothing in it.
@@ -57,7 +65,7 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
             action->setShortcutContext(Qt::WidgetShortcut);
         const QString id = action->objectName();
         connect(action, &QAction::triggered, this, [this, id] { Q_EMIT triggered(id); });
-        m_actions.insert(id, {action, words});
+        m_actions.insert(id, {action, words, messageText(words->text)});
         setTip(action, action->whatsThis());
     }
 
@@ -73,6 +81,33 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
     connect(&bench.session().scheduler(), &Scheduler::asked, this, &ActionSet::refresh);
     applyShortcuts();
     refresh();
+}
+
+/// With what the window has put into them, whose keys come first. An entry that stands in two menus
+/// keeps what the first one gave it.
+void ActionSet::giveKeys(const QList<QAction *> &menu)
+{
+    QStringList texts, sources;
+    for (const QAction *action : menu) {
+        const auto entry = m_actions.constFind(action->objectName());
+        texts += action->text();
+        sources += entry != m_actions.cend() ? QString::fromUtf8(entry->words->text.source)
+                                             : action->property(kEnglishTitle).toString();
+    }
+    const QStringList marked = withMenuKeys(texts, sources);
+    for (qsizetype i = 0; i < menu.size(); ++i) {
+        menu[i]->setText(marked[i]);
+        if (const auto entry = m_actions.find(menu[i]->objectName()); entry != m_actions.end())
+            entry->text = marked[i];
+        if (menu[i]->menu())
+            giveKeys(menu[i]->menu()->actions());
+    }
+}
+
+QMenu *ActionSet::named(QMenu *menu, const MenuRow &row)
+{
+    menu->menuAction()->setProperty(kEnglishTitle, QLatin1String(row.title));
+    return menu;
 }
 
 QAction *ActionSet::action(const char *id) const
@@ -100,19 +135,23 @@ void ActionSet::fill(QToolBar *bar, std::initializer_list<const char *> ids) con
     }
 }
 
-void ActionSet::fill(QMenuBar *bar, const std::function<void(const QString &, QMenu *)> &own) const
+void ActionSet::fill(QMenuBar *bar, const std::function<void(const QString &, QMenu *)> &own)
 {
+    QList<QAction *> seen;
     for (const MenuRow &row : menuTable()) {
         const bool isSearched = isSearchedMenu(row);
         if (row.key && !isSearched)
             continue;
-        QMenu *menu = bar->addMenu(tr(row.title));
+        QMenu *menu = named(bar->addMenu(tr(row.title)), row);
         fill(menu, row, own);
-        if (!isSearched)
+        if (!isSearched) {
+            seen += menu->menuAction();
             continue;
+        }
         menu->menuAction()->setVisible(false);
         bar->window()->addActions(menu->actions()); // keys of a hidden menu's are dead
     }
+    giveKeys(seen);
 }
 
 void ActionSet::fill(QMenu *menu, const MenuRow &row,
@@ -129,12 +168,10 @@ void ActionSet::fill(QMenu *menu, const MenuRow &row,
         else
             for (const MenuRow &beside : menuTable())
                 if (beside.key && id.mid(1) == QLatin1String(beside.key))
-                    fill(menu->addMenu(tr(beside.title)), beside, own);
+                    fill(named(menu->addMenu(tr(beside.title)), beside), beside, own);
     }
-    const QString name =
-        row.key ? QLatin1String(row.key) : QString::fromLatin1(row.title).remove(u'&');
     for (const CommandWords *words : m_bench.commands().offered())
-        if (name == QLatin1String(words->menu))
+        if (nameOf(row) == QLatin1String(words->menu))
             menu->addAction(action(words->id));
 }
 
@@ -217,7 +254,7 @@ void ActionSet::show(const Entry &entry)
         setTip(action, QString(text).remove(u'&'));
         return;
     }
-    action->setText(messageText(entry.words->text));
+    action->setText(entry.text);
     setTip(action, messageText(whyNot ? *whyNot : entry.words->tip));
 }
 

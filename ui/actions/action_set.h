@@ -36,7 +36,7 @@ public:
     void fill(QMenu *menu, std::initializer_list<const char *> ids) const;
     void fill(QToolBar *bar, std::initializer_list<const char *> ids) const;
     /// The menus of the table; `own` adds what the window has for an id that begins with "@".
-    void fill(QMenuBar *bar, const std::function<void(const QString &id, QMenu *menu)> &own) const;
+    void fill(QMenuBar *bar, const std::function<void(const QString &id, QMenu *menu)> &own);
     /// The menu of the table with this key, without what cannot be done now; `own` as above.
     void fill(QMenu *menu, const char *key,
               const std::function<void(const QString &id, QMenu *menu)> &own = {});
@@ -61,7 +61,10 @@ private:
     {
         QAction *action = nullptr;
         const CommandWords *words = nullptr;
+        QString text; // with its key in the menus
     };
+    void giveKeys(const QList<QAction *> &menu);
+    static QMenu *named(QMenu *menu, const MenuRow &row);
     void fill(QMenu *menu, const MenuRow &row,
               const std::function<void(const QString &id, QMenu *menu)> &own) const;
     void show(const Entry &entry);
