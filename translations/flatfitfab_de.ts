@@ -5073,6 +5073,14 @@
     </message>
 </context>
 <context>
+    <name>FullStop</name>
+    <message>
+        <source>%1.</source>
+        <extracomment>%1 is a sentence; what ends one in this language</extracomment>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
     <name>Hint</name>
     <message>
         <source>&lt;kbd&gt;%1&lt;/kbd&gt; undoes it.</source>

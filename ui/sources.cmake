@@ -1,6 +1,7 @@
 target_sources(fff_ui PRIVATE
     actions/action_finder.cpp
     actions/action_set.cpp
+    actions/menu_keys.cpp
     actions/menu_table.cpp
     actions/search_words.cpp
     base/ago_text.cpp
@@ -164,6 +165,7 @@ target_sources(fff_ui PRIVATE
     properties/turning_choices.cpp
     properties/varying_rows.cpp
     settings/check_rules.cpp
+    settings/languages.cpp
     settings/log.cpp
     settings/places.cpp
     settings/settings.cpp

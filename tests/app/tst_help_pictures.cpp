@@ -23,6 +23,12 @@ const QDir &helpFolder()
     return folder;
 }
 
+/// Those that there are pages in, beside English.
+QStringList languages()
+{
+    return helpFolder().entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+}
+
 QString textOf(const QString &path)
 {
     QFile file(path);
@@ -92,9 +98,13 @@ private Q_SLOTS:
     void linksLeadSomewhere_data()
     {
         QTest::addColumn<QString>("page");
-        for (const char *page : {"/help/first_steps.md", "/help/more.md", "/help/de/first_steps.md",
-                                 "/help/de/more.md", "/../README.md"})
-            QTest::newRow(page) << QStringLiteral(FFF_RESOURCES) + QLatin1String(page);
+        QStringList pages{QStringLiteral("/help/first_steps.md"), QStringLiteral("/help/more.md"),
+                          QStringLiteral("/../README.md")};
+        for (const QString &language : languages())
+            pages += {QStringLiteral("/help/%1/first_steps.md").arg(language),
+                      QStringLiteral("/help/%1/more.md").arg(language)};
+        for (const QString &page : pages)
+            QTest::newRow(qPrintable(page)) << QStringLiteral(FFF_RESOURCES) + page;
     }
     void linksLeadSomewhere()
     {
@@ -114,12 +124,16 @@ private Q_SLOTS:
     /// the same headings, entries, pictures and keys as the English one, in the same order.
     void pagesSayTheSame_data()
     {
+        QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("page");
-        QTest::newRow("first steps") << QStringLiteral("first_steps.md");
-        QTest::newRow("more") << QStringLiteral("more.md");
+        for (const QString &language : languages())
+            for (const char *page : {"first_steps.md", "more.md"})
+                QTest::newRow(qPrintable(language + u' ' + QLatin1String(page)))
+                    << language << QString::fromLatin1(page);
     }
     void pagesSayTheSame()
     {
+        QFETCH(QString, language);
         QFETCH(QString, page);
         const auto skeleton = [](const QString &path) {
             static const QRegularExpression mark(
@@ -137,7 +151,7 @@ private Q_SLOTS:
         };
         const QStringList english = skeleton(helpFolder().filePath(page));
         QVERIFY(english.size() > 15);
-        QCOMPARE(skeleton(helpFolder().filePath(QStringLiteral("de/") + page)), english);
+        QCOMPARE(skeleton(helpFolder().filePath(language + u'/' + page)), english);
     }
 };
 

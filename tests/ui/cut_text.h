@@ -54,6 +54,15 @@ inline QString tornNumber(const QLabel &label)
                      .arg(shown.toPlainText().left(60));
 }
 
+/// Japanese and Chinese have no blanks between words.
+inline bool breaksAnywhere(const QString &word)
+{
+    return std::any_of(word.begin(), word.end(), [](QChar c) {
+        return c.script() == QChar::Script_Han || c.script() == QChar::Script_Hiragana ||
+               c.script() == QChar::Script_Katakana;
+    });
+}
+
 /// A label's words, in as many lines as it may have.
 inline QString cutLabel(const QLabel &label)
 {
@@ -73,7 +82,8 @@ inline QString cutLabel(const QLabel &label)
     int word = 0; // the longest one has no place to break
     if (label.textFormat() != Qt::RichText && !label.text().contains(u'<'))
         for (const QString &one : label.text().split(u' '))
-            word = std::max(word, widthOf(label, one));
+            if (!breaksAnywhere(one))
+                word = std::max(word, widthOf(label, one));
     const QString cut = tooNarrow(label.text(), word, label.contentsRect().width());
     return cut.isEmpty()
                ? tooNarrow(label.text(), label.heightForWidth(room.width()), room.height(), "high")

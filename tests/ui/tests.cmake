@@ -20,6 +20,7 @@ target_compile_definitions(tests_view PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/r
 
 fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder
+    ui/actions/tst_menu_keys
     ui/actions/tst_menus
     ui/actions/tst_own_tool
     ui/base/tst_message_bar
@@ -48,6 +49,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/properties/tst_slider_field
     ui/settings/tst_log
     ui/settings/tst_places
+    ui/settings/tst_languages
     ui/settings/tst_settings
     ui/sheets/tst_sheet_properties
     ui/sheets/tst_sheets_dock

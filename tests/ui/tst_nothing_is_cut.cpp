@@ -1,5 +1,5 @@
-// Every page, bar, dialog and menu in English and German, in the least window, the usual one and
-// on a screen of 200 %: all words can be read to their end.
+// Every page, bar, dialog and menu in every language in the least window, in English and German in
+// the usual one and on a screen of 200 %, too: all words can be read to their end.
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/model/joint_ref.h"
@@ -16,6 +16,7 @@
 #include "ui/base/field_style.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/properties/property_rows.h"
+#include "ui/settings/languages.h"
 #include "ui/window/main_tool_bar.h"
 
 #include <QDockWidget>
@@ -41,9 +42,9 @@ class SpokenLanguage
 public:
     explicit SpokenLanguage(const QString &code)
     {
-        QLocale::setDefault(code == QStringLiteral("de")
-                                ? QLocale(QLocale::German, QLocale::Germany)
-                                : QLocale(QLocale::English, QLocale::UnitedKingdom));
+        QLocale::setDefault(code == QStringLiteral("en")
+                                ? QLocale(QLocale::English, QLocale::UnitedKingdom)
+                                : QLocale(code));
         m_isLoaded = m_ours.load(QStringLiteral(":/i18n/flatfitfab_") + code);
         if (m_qts.load(QStringLiteral("qtbase_") + code,
                        QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
@@ -128,22 +129,24 @@ private Q_SLOTS:
     void init();
     void cleanup();
 
-    void pages_data() { looks(); }
+    void pages_data() { looks(true); }
     void pages();
-    void operations_data() { looks(); }
+    void operations_data() { looks(true); }
     void operations();
-    void dialogs_data() { looks(); }
+    void dialogs_data() { looks(true); }
     void dialogs();
-    void menus_data() { looks(); }
+    void menus_data() { looks(true); }
     void menus();
-    void samples_data() { looks(); }
+    void samples_data() { looks(false); }
     void samples();
     void theBarKeepsItsWords_data();
     void theBarKeepsItsWords();
     void twiceTheScale();
 
 private:
-    static void looks();
+    /// inAll  also in the languages beside English and German, in the least window, where words have
+    /// least room
+    static void looks(bool inAll);
     void open();
     void look(const QString &state) { look(state, *m_window); }
     void look(const QString &state, QWidget &top);
@@ -158,20 +161,23 @@ private:
     std::map<QString, QString> m_cuts; // what is cut, and where it was seen first
 };
 
-void TestNothingIsCut::looks()
+void TestNothingIsCut::looks(bool inAll)
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    for (const char *language : {"en", "de"}) {
-        const auto row = [language](const QSize &size) {
+    for (const QString &language : languagesThere()) {
+        const auto row = [&language](const QSize &size) {
             QTest::newRow(qPrintable(QStringLiteral("%1, %2 × %3")
-                                         .arg(QLatin1String(language))
+                                         .arg(language)
                                          .arg(size.width())
                                          .arg(size.height())))
-                << QString::fromLatin1(language) << size;
+                << language << size;
         };
-        row({1024, 640});
-        row({1440, 900});
+        const bool isMain = language == QStringLiteral("en") || language == QStringLiteral("de");
+        if (isMain || (inAll && !qEnvironmentVariableIsSet("QT_SCALE_FACTOR")))
+            row({1024, 640});
+        if (isMain)
+            row({1440, 900});
     }
 }
 
@@ -376,8 +382,8 @@ void TestNothingIsCut::theBarKeepsItsWords_data()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    QTest::newRow("English") << QStringLiteral("en") << QSize(1440, 900);
-    QTest::newRow("German") << QStringLiteral("de") << QSize(1440, 900);
+    for (const QString &language : languagesThere())
+        QTest::newRow(qPrintable(language)) << language << QSize(1440, 900);
 }
 
 // Wrong: a row of signs that only those know who do not need their words.

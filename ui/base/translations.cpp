@@ -1,5 +1,6 @@
 #include "ui/base/translations.h"
 
+#include "ui/settings/languages.h"
 #include "ui/settings/settings.h"
 
 #include <QCoreApplication>
@@ -21,11 +22,14 @@ QLocale localeOf(QLocale::Language language)
 
 /// Numbers and dates as the sentences that they stand in. Who has the language as the system's has
 /// it with all that was chosen there; so has C, which is English.
-void speak(QLocale::Language language)
+void speak(const QString &code)
 {
-    const QLocale::Language now = QLocale().language();
-    if (language != now && !(language == QLocale::English && now == QLocale::C))
-        QLocale::setDefault(localeOf(language));
+    const QLocale spoken(code), now;
+    const bool isEnglishAnyway =
+        spoken.language() == QLocale::English && now.language() == QLocale::C;
+    if ((spoken.language() == now.language() && spoken.script() == now.script()) || isEnglishAnyway)
+        return;
+    QLocale::setDefault(code.contains(u'_') ? spoken : localeOf(spoken.language()));
 }
 
 } // namespace
@@ -33,24 +37,20 @@ void speak(QLocale::Language language)
 void installTranslations(QCoreApplication &application)
 {
     if (const QString code = settings().language(); !code.isEmpty())
-        speak(QLocale(code).language());
-    const QString folder = QStringLiteral(":/i18n"), name = QStringLiteral("flatfitfab"),
-                  gap = QStringLiteral("_");
-    auto *ofProgram = new QTranslator(&application);
-    auto *ofQt = new QTranslator(&application);
-    const bool isTranslated = ofProgram->load(QLocale(), name, gap, folder);
+        speak(code);
     // The system may have another language for its numbers than for its words, or one that there is
     // no translation into.
-    speak(isTranslated ? QLocale(ofProgram->language()).language() : QLocale::English);
-    if (isTranslated) {
-        // Qt's own buttons only in the language that the rest has.
-        if (ofQt->load(QLocale(), QStringLiteral("qtbase"), gap,
-                       QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-            QCoreApplication::installTranslator(ofQt);
-    } else if (!ofProgram->load(name + gap + QStringLiteral("en"), folder)) {
-        return;
-    }
-    QCoreApplication::installTranslator(ofProgram);
+    const QString wanted = languageFor(QLocale());
+    const QString code = wanted.isEmpty() ? QStringLiteral("en") : wanted;
+    speak(code);
+    auto *ofProgram = new QTranslator(&application);
+    auto *ofQt = new QTranslator(&application);
+    // Qt's own buttons only in the language that the rest has.
+    if (ofQt->load(QLocale(code), QStringLiteral("qtbase"), QStringLiteral("_"),
+                   QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(ofQt);
+    if (ofProgram->load(QStringLiteral(":/i18n/flatfitfab_") + code))
+        QCoreApplication::installTranslator(ofProgram);
 }
 
 } // namespace fff::ui

@@ -1,6 +1,7 @@
 #include "ui/dialogs/help_window.h"
 
 #include "ui/base/theme.h"
+#include "ui/settings/languages.h"
 
 #include <QDialogButtonBox>
 #include <QFile>
@@ -50,8 +51,7 @@ protected:
 
 QUrl addressOf(const QString &page)
 {
-    const QString own =
-        QStringLiteral("/help/%1/%2.md").arg(QLocale().name().section(u'_', 0, 0), page);
+    const QString own = QStringLiteral("/help/%1/%2.md").arg(languageFor(QLocale()), page);
     const bool isThere = QFile::exists(u':' + own);
     return {QStringLiteral("qrc:") + (isThere ? own : QStringLiteral("/help/%1.md").arg(page))};
 }

@@ -6,6 +6,7 @@
 #include "ui/dialogs/shortcut_editor.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/number_edit.h"
+#include "ui/settings/languages.h"
 #include "ui/settings/settings.h"
 
 #include <QCheckBox>
@@ -234,10 +235,11 @@ QWidget *SettingsDialog::makeGeneral()
                  {tr("Same as the system"), tr("Light"), tr("Dark"), tr("High contrast")},
                  static_cast<int>(settings().colourScheme()),
                  [](int index) { settings().setColourScheme(static_cast<ColourScheme>(index)); });
-    // Languages are named in themselves, so that whoever got lost finds back.
-    const QStringList codes = {QString(), QStringLiteral("en"), QStringLiteral("de")};
-    form->choice("settingsLanguage", tr("Language"),
-                 {tr("Same as the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
+    const QStringList codes = QStringList{QString()} + languagesThere();
+    QStringList languages{tr("Same as the system")};
+    for (const QString &code : languagesThere())
+        languages += nameOfLanguage(code);
+    form->choice("settingsLanguage", tr("Language"), languages,
                  static_cast<int>(codes.indexOf(settings().language())),
                  [codes](int index) { settings().setLanguage(codes.at(index)); });
     form->note(tr("Takes effect after a restart."));

@@ -1,5 +1,6 @@
 #include "ui/settings/settings.h"
 
+#include "ui/settings/languages.h"
 #include "ui/settings/places.h"
 #include "ui/settings/stored_values.h"
 #include "ui/settings/system_wishes.h"
@@ -168,8 +169,7 @@ void Settings::setColourScheme(ColourScheme scheme)
 QString Settings::language() const
 {
     const QString language = m_store.value(kLanguage).toString();
-    const bool isKnown = language == QStringLiteral("en") || language == QStringLiteral("de");
-    return isKnown ? language : QString();
+    return languagesThere().contains(language) ? language : QString();
 }
 
 void Settings::setLanguage(const QString &language)

@@ -55,7 +55,7 @@ public:
     void setUnit(LengthUnit unit);
     ColourScheme colourScheme() const;
     void setColourScheme(ColourScheme scheme);
-    QString language() const; // "" follows the system, else "en", "de"
+    QString language() const; // "" follows the system, else one of languagesThere()
     void setLanguage(const QString &language);
     bool showsStartPage() const;
     void setShowsStartPage(bool shows);
