@@ -2,6 +2,7 @@
 // section between them.
 #include "core/base/tolerances.h"
 #include "core/geometry/contour_points.h"
+#include "core/geometry/turning.h"
 #include "core/model/bindings.h"
 #include "core/model/symmetric_section.h"
 #include "core/operations/driven_owner.h"
@@ -64,12 +65,13 @@ bool isNearlyAlong(const Vec2 &way, int axis)
     return std::abs(way[1 - axis]) <= kNearlyAlong * std::abs(way[axis]);
 }
 
-/// Its straight edges lie along its axes rather than along the way or across it: what stretches it
-/// along the way makes its right angles others.
-bool liesAlongItsAxes(const Section &section, const Vec2 &way)
+/// Its straight edges lie along both of its axes, rather than along the way or across it: what
+/// stretches it along the way makes its right angles others.
+bool hasRightAnglesToKeep(const Section &section, const Vec2 &way)
 {
     const Vec2 along = way.normalized();
-    double alongAxes = 0.0, alongWay = 0.0;
+    Vec2 alongAxes = Vec2::Zero();
+    double alongWay = 0.0;
     const Contour &contour = section.shape->contour();
     for (int i = 0; i < contour.segmentCount(); ++i) {
         const CubicBezier segment = contour.segment(i);
@@ -77,22 +79,27 @@ bool liesAlongItsAxes(const Section &section, const Vec2 &way)
             continue;
         const Vec2 edge = segment.p3 - segment.p0;
         const Vec2 onWay(edge.dot(along), cross(along, edge));
-        if (isNearlyAlong(edge, 0) || isNearlyAlong(edge, 1))
-            alongAxes += edge.norm();
-        if (isNearlyAlong(onWay, 0) || isNearlyAlong(onWay, 1))
-            alongWay += edge.norm();
+        for (const int axis : {0, 1}) {
+            if (isNearlyAlong(edge, axis))
+                alongAxes[axis] += edge.norm();
+            if (isNearlyAlong(onWay, axis))
+                alongWay += edge.norm();
+        }
     }
-    return alongAxes > alongWay;
+    return alongAxes.minCoeff() > 0.0 && alongAxes.sum() > alongWay;
 }
 
-/// What another expression says how long the section, or a length along this axis of it, is.
-bool isDriven(const Document &document, const DrivenLength &length, int axis)
+/// An expression says how large the section is along the axis.
+bool isSizeDriven(const Document &document, const DrivenLength &length, int axis)
 {
-    const DrivenPlace size{.of = DrivenPlace::Of::Section,
-                           .id = length.section->id.value,
-                           .field = axis == 0 ? "width" : "height"};
-    if (bindingOf(document, size))
-        return true;
+    return bindingOf(document, {.of = DrivenPlace::Of::Section,
+                                .id = length.section->id.value,
+                                .field = axis == 0 ? "width" : "height"});
+}
+
+/// An expression says how long another length along the axis is.
+bool isOtherDriven(const Document &document, const DrivenLength &length, int axis)
+{
     return std::any_of(
         document.dimensions.begin(), document.dimensions.end(), [&](const Dimension &other) {
             const auto known =
@@ -105,41 +112,18 @@ bool isDriven(const Document &document, const DrivenLength &length, int axis)
         });
 }
 
+struct Stretch
+{
+    StretchBand band;
+    bool staysAtFrom = false; // whatever else would stay
+};
+
 /// Along an axis, so that the two places are that far apart on it.
 StretchBand bandAlong(const DrivenLength &length, int axis, double wanted)
 {
     StretchBand band{length.from, length.to, wanted};
     band.to[1 - axis] = band.from[1 - axis];
     return band;
-}
-
-/// What makes the length as long as is wanted; none: it cannot be.
-/// What is measured by hand lies hardly ever quite along an axis of the section: it is stretched
-/// along that, so that right angles stay such. One that is aslant is stretched along both axes, or
-/// along the one that no other expression drives, where right angles have to be kept.
-std::vector<StretchBand> bandsOf(const Document &document, const DrivenLength &length,
-                                 double wanted)
-{
-    const Vec2 way = length.to - length.from;
-    const auto alone = [&](int axis) -> std::vector<StretchBand> {
-        const double across = std::abs(way[1 - axis]);
-        if (across >= wanted)
-            return {};
-        return {bandAlong(length, axis, std::sqrt(wanted * wanted - across * across))};
-    };
-    const std::vector<StretchBand> straight{{length.from, length.to, wanted}};
-    for (const int axis : {0, 1})
-        if (isNearlyAlong(way, axis))
-            return std::abs(way[1 - axis]) < wanted ? alone(axis) : straight;
-    const bool isWidthDriven = isDriven(document, length, 0);
-    const bool isHeightDriven = isDriven(document, length, 1);
-    if (isWidthDriven != isHeightDriven)
-        return alone(isWidthDriven ? 1 : 0);
-    if (!isWidthDriven && !liesAlongItsAxes(*length.section, way))
-        return straight;
-    const double factor = wanted / way.norm();
-    return {bandAlong(length, 0, factor * std::abs(way.x())),
-            bandAlong(length, 1, factor * std::abs(way.y()))};
 }
 
 /// One half of a symmetric section: the other one does the same. Nothing where the line would not
@@ -154,23 +138,98 @@ std::optional<Vec2> mirroredAt(const Section &section, const StretchBand &band)
     return isBetween ? std::nullopt : std::optional(axis->point);
 }
 
+/// Of a section whose size along the axis is driven, too: what lies before the two places and what
+/// lies behind them make room in proportion. So its ends stay where they are, whatever the length
+/// was before. None: there is no room.
+std::vector<Stretch> stretchesWithin(const DrivenLength &length, int axis, double wanted)
+{
+    const StretchBand alone = bandAlong(length, axis, wanted);
+    const Box2 box = turnedBounds(length.section->shape->contour(), Vec2::UnitX());
+    const double low = std::min(length.from[axis], length.to[axis]);
+    const double high = std::max(length.from[axis], length.to[axis]);
+    const double before = std::max(low - box.min[axis], 0.0);
+    const double behind = std::max(box.max[axis] - high, 0.0);
+    if (before + behind < kLeastLength || mirroredAt(*length.section, alone))
+        return {{alone}};
+    const double factor = (before + behind + (high - low) - wanted) / (before + behind);
+    if (factor * (before + behind) < kLeastLength)
+        return {};
+    const auto band = [&](double from, double to, double becomes) {
+        StretchBand one{length.from, length.from, becomes};
+        one.from[axis] = from;
+        one.to[axis] = to;
+        return Stretch{one, true};
+    };
+    std::vector<Stretch> stretches{band(low, high, wanted)};
+    if (behind >= kLeastLength)
+        stretches.push_back(band(low + wanted, low + wanted + behind, factor * behind));
+    if (before >= kLeastLength)
+        stretches.push_back(band(low - before, low, factor * before));
+    return stretches;
+}
+
+/// What makes the length as long as is wanted; none: it cannot be.
+/// What is measured by hand lies hardly ever quite along an axis of the section: it is stretched
+/// along that, so that right angles stay such. One that is aslant is stretched along both axes, or
+/// along the one that no other expression drives, where right angles have to be kept.
+std::vector<Stretch> stretchesOf(const Document &document, const DrivenLength &length,
+                                 double wanted)
+{
+    const Vec2 way = length.to - length.from;
+    const auto along = [&](int axis, double reach) -> std::vector<Stretch> {
+        return isSizeDriven(document, length, axis)
+                   ? stretchesWithin(length, axis, reach)
+                   : std::vector<Stretch>{{bandAlong(length, axis, reach)}};
+    };
+    const auto alone = [&](int axis) -> std::vector<Stretch> {
+        const double across = std::abs(way[1 - axis]);
+        return across < wanted ? along(axis, std::sqrt(wanted * wanted - across * across))
+                               : std::vector<Stretch>();
+    };
+    const std::vector<Stretch> straight{{StretchBand{length.from, length.to, wanted}}};
+    for (const int axis : {0, 1})
+        if (isNearlyAlong(way, axis))
+            return std::abs(way[1 - axis]) < wanted ? alone(axis) : straight;
+    const bool keepsAngles = hasRightAnglesToKeep(*length.section, way);
+    const auto isDriven = [&](int axis) {
+        return isSizeDriven(document, length, axis) ||
+               (keepsAngles && isOtherDriven(document, length, axis));
+    };
+    if (isDriven(0) != isDriven(1))
+        return alone(isDriven(0) ? 1 : 0);
+    if (!isDriven(0) && !keepsAngles)
+        return straight;
+    std::vector<Stretch> both;
+    const double factor = wanted / way.norm();
+    for (const int axis : {0, 1}) {
+        const std::vector<Stretch> one = along(axis, factor * std::abs(way[axis]));
+        if (one.empty())
+            return {};
+        both.insert(both.end(), one.begin(), one.end());
+    }
+    return both;
+}
+
 /// About its slit, as its width and height; without one about the line to which it is symmetric, or
 /// the first of the two places stays.
 Result<Document> writeLength(Document document, const DrivenPlace &place, const Worth &worth)
 {
     const DrivenLength length = *lengthAt(document, place);
-    const std::vector<StretchBand> bands = worth.number >= kLeastLength
-                                               ? bandsOf(document, length, worth.number)
-                                               : std::vector<StretchBand>();
-    if (bands.empty())
+    const std::vector<Stretch> stretches = worth.number >= kLeastLength
+                                               ? stretchesOf(document, length, worth.number)
+                                               : std::vector<Stretch>();
+    if (stretches.empty())
         return failure(ErrorCode::BadValue, kLengthOfDimension);
     const SectionId id = length.section->id;
     Result<Document> next = std::move(document);
-    for (std::size_t i = 0; next && i < bands.size(); ++i) {
+    for (std::size_t i = 0; next && i < stretches.size(); ++i) {
         const Section section = *next->find(id);
-        StretchBand band = bands[i];
-        band.mirroredAt = mirroredAt(section, band);
-        band.stays = slitMiddleOn(*next, section).value_or(band.mirroredAt.value_or(band.from));
+        StretchBand band = stretches[i].band;
+        band.stays = band.from;
+        if (!stretches[i].staysAtFrom) {
+            band.mirroredAt = mirroredAt(section, band);
+            band.stays = slitMiddleOn(*next, section).value_or(band.mirroredAt.value_or(band.from));
+        }
         next = stretchedByNumbers(*std::move(next), section, {.band = band});
     }
     return next;

@@ -70,6 +70,10 @@ private Q_SLOTS:
     void childrenFollowAsTheyAreTold();
     void measuredByHandItIsAlongAnAxis();
     void oneThatIsAslant();
+    void withinASizeThatIsDriven();
+    void whatIsTypedCountsOrIsRefused();
+    void threeSides();
+    void whatDoesNotGoTogetherGoesNowhere();
     void oneWithinAnother();
     void whatCannotBeStretched();
     void filesKeepIt();
@@ -261,6 +265,107 @@ void TestDrivenDimensions::oneThatIsAslant()
     arm = madeOf(arm, lengthKey(arm), "180 mm");
     const Contour &longer = arm.sections[1]->shape->contour();
     QVERIFY(std::abs(std::abs(longer.signedArea()) - 180.0 * 20.0) < 1e-6);
+}
+
+// Wrong: with each change of an inner edge the section wandered aside, and did not come back.
+void TestDrivenDimensions::withinASizeThatIsDriven()
+{
+    Document document = driving({50, 0}, {90, 0});
+    document = withValue(std::move(document), "all", "200 mm");
+    document = madeOf(document, key("section", document.sections[0]->id.value, "width"), "all");
+    const Box2 box = document.sections[0]->shape->bounds();
+    const auto isWhereItWas = [&](const Document &of) {
+        const Box2 now = of.sections[0]->shape->bounds();
+        return (now.min - box.min).norm() < 1e-9 && (now.max - box.max).norm() < 1e-9;
+    };
+    document = typed(document, "w", "100 mm");
+    const Document before = document;
+    for (const char *length : {"20 mm", "150 mm", "61 mm", "100 mm"}) {
+        document = typed(document, "w", length);
+        QVERIFY2(isWhereItWas(document), length);
+    }
+    const auto &points = document.sections[0]->shape->contour().points();
+    const auto &was = before.sections[0]->shape->contour().points();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        QVERIFY((points[i] - was[i]).norm() < 1e-9);
+    // Whichever is set first.
+    const Document one = typed(typed(before, "w", "70 mm"), "all", "260 mm");
+    const Document other = typed(typed(before, "all", "260 mm"), "w", "70 mm");
+    const auto &a = one.sections[0]->shape->contour().points();
+    const auto &b = other.sections[0]->shape->contour().points();
+    for (std::size_t i = 0; i < a.size(); ++i)
+        QVERIFY((a[i] - b[i]).norm() < 1e-6);
+}
+
+// Wrong: a length came out as another one than was typed, without a word.
+void TestDrivenDimensions::whatIsTypedCountsOrIsRefused()
+{
+    Document document = measured({0, 0}, {200, 40});
+    const std::string section = std::to_string(document.sections[0]->id.value);
+    document = madeOf(document, "section/" + section + "/width", "2*w");
+    document = madeOf(document, "section/" + section + "/height", "0.4*w");
+    const auto typedNow = bound(document, at(document, lengthKey(document)), "100 mm");
+    QVERIFY(!typedNow);
+    const double diagonal = numberAt(document, lengthKey(document));
+    QVERIFY(bound(document, at(document, lengthKey(document)),
+                  QString::number(diagonal, 'g', 17).toStdString() + " mm"));
+}
+
+// Wrong: of a triangle on a level side no three sides went together.
+void TestDrivenDimensions::threeSides()
+{
+    Document document = shelf();
+    Section drawn = *document.sections[1];
+    const Polygon corners{{0, 0}, {100, 0}, {35, 80}};
+    drawn.shape = Shape::make(Contour::fromPolygon(corners).value()).value();
+    document.sections[1] = std::make_shared<const Section>(drawn);
+    const char *const names[] = {"a", "b", "c"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 from = corners[i], to = corners[(i + 1) % 3];
+        document = addDimension(document, {drawn.ref(), {from.x(), from.y(), 0}},
+                                {drawn.ref(), {to.x(), to.y(), 0}})
+                       .value();
+        document = withValue(std::move(document), names[i],
+                             (std::to_string((to - from).norm()) + " mm").c_str());
+        document =
+            madeOf(document, key("dimension", document.dimensions[i].id.value, "length"), names[i]);
+    }
+    for (const auto &[name, length] : {std::pair("a", "90 mm"), std::pair("b", "110 mm"),
+                                       std::pair("c", "95 mm"), std::pair("a", "120 mm")}) {
+        const Document next = typed(document, name, length);
+        QVERIFY2(driven(next).errors.empty(), name);
+        document = next;
+    }
+}
+
+// Wrong: two sides of a slanting board that cannot be of two lengths took it metres away.
+void TestDrivenDimensions::whatDoesNotGoTogetherGoesNowhere()
+{
+    Document document = shelf();
+    const Vec2 u(std::cos(0.5236), std::sin(0.5236)), v(-u.y(), u.x());
+    const Polygon corners{{0, 0}, 100 * u, 100 * u + 60 * v, 60 * v};
+    Section drawn = *document.sections[1];
+    drawn.shape = Shape::make(Contour::fromPolygon(corners).value()).value();
+    document.sections[1] = std::make_shared<const Section>(drawn);
+    const auto drive = [&](std::size_t from, std::size_t to, const char *name, const char *now) {
+        document = addDimension(document, {drawn.ref(), {corners[from].x(), corners[from].y(), 0}},
+                                {drawn.ref(), {corners[to].x(), corners[to].y(), 0}})
+                       .value();
+        document = withValue(std::move(document), name, now);
+        document =
+            madeOf(document, key("dimension", document.dimensions.back().id.value, "length"), name);
+    };
+    drive(0, 1, "a", "100 mm");
+    drive(3, 2, "b", "100 mm");
+    drive(1, 2, "c", "60 mm");
+    for (const char *length : {"101 mm", "110 mm", "150 mm", "200 mm", "260 mm"}) {
+        const Driven next = driven(typeValue(document, idOf(document, "b"), length, {}).value());
+        if (!next.errors.empty())
+            continue;
+        const Box2 was = document.sections[1]->shape->bounds();
+        const Box2 is = next.document.sections[1]->shape->bounds();
+        QVERIFY2((is.center() - was.center()).norm() < 400.0, length);
+    }
 }
 
 // Wrong: what does not contradict was said to, since it comes near it slowly.
