@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -18,6 +19,17 @@ constexpr Text kNotPossible = FFF_TEXT("Driven", "“%1” is %2, which is not p
 //: %1: an expression
 constexpr Text kDisagree =
     FFF_TEXT("Driven", "“%1” and another expression want this to be different at the same time.");
+//: %1: what was typed, %2 a length or the like
+constexpr Text kKept =
+    FFF_TEXT("Driven", "“%1” is not possible here: numbers that follow values keep "
+                       "it at %2.");
+//: %1: what was typed, %2 names a number such as "Wheel, Diameter", %3: an expression
+constexpr Text kKeptBy =
+    FFF_TEXT("Driven", "“%1” is not possible here: %2 follows “%3”, which keeps it as it is.");
+//: %1 is the name of a value
+constexpr Text kHasNoWorth = FFF_TEXT("Driven", "“%1” cannot be worked out.");
+//: %1: an expression
+constexpr Text kIsEmpty = FFF_TEXT("Driven", "“%1” is empty, which is not possible here.");
 constexpr Text kNoPlace = FFF_TEXT("Driven", "What this number belongs to is not there any more.");
 
 /// A chain of sections on each other needs as many as it is long, where all have a place by
@@ -25,7 +37,9 @@ constexpr Text kNoPlace = FFF_TEXT("Driven", "What this number belongs to is not
 /// each.
 constexpr int kMostRounds = 1000;
 constexpr int kRoundsToJudge = 100;
-constexpr double kNearer = 0.9; // of what was apart as many rounds before
+constexpr double kNearer = 0.9;           // of what was apart as many rounds before
+constexpr double kFarthest = 4.0;         // of all that lengths of a section change together
+constexpr double kSameWorthLength = 1e-3; // mm
 
 Message atPlace(const Document &document, const DrivenPlace &place, const Message &sentence)
 {
@@ -63,7 +77,10 @@ Message whyNotWritten(const Binding &binding, const Worth &worth, const Error &e
 {
     if (error.code != ErrorCode::BadValue)
         return {{nullptr, "%1"}, {error}};
-    return {kNotPossible, {quoted(binding.typed, {0, binding.typed.size()}), argumentOf(worth)}};
+    const Named typed = quoted(binding.typed, {0, binding.typed.size()});
+    if (worth.type == Worth::Type::Text && worth.text.empty())
+        return {kIsEmpty, {typed}};
+    return {kNotPossible, {typed, argumentOf(worth)}};
 }
 
 /// The numbers of one document on their way to what was typed for them.
@@ -71,7 +88,7 @@ class Driver
 {
 public:
     Driver(Document document, Names names)
-        : m_document(std::move(document)), m_bindings(m_document.bindings),
+        : m_document(std::move(document)), m_before(m_document), m_bindings(m_document.bindings),
           m_names(std::move(names))
     {
     }
@@ -92,7 +109,7 @@ public:
         }
         if (m_errors.empty() && m_refused)
             m_errors.push_back(*std::move(m_refused));
-        else if (m_errors.empty() && m_disagreeing)
+        else if (m_errors.empty() && (m_disagreeing || strayed()))
             fail(m_disagreeing->place, {kDisagree, {quotedAll(*m_disagreeing)}});
         if (m_errors.empty())
             keepResults();
@@ -118,9 +135,23 @@ private:
     /// All errors of expressions, not the first one alone.
     void workOut()
     {
-        for (const BindingPointer &pointer : m_bindings)
-            if (const Understood<Worth> worth = worthOf(*pointer); !worth)
-                fail(pointer->binding.place, worth.error().message);
+        for (const BindingPointer &pointer : m_bindings) {
+            const Understood<Worth> worth = worthOf(*pointer);
+            if (worth)
+                continue;
+            const std::string wrong = wrongNameOf(*pointer);
+            fail(pointer->binding.place,
+                 wrong.empty() ? worth.error().message : Message{kHasNoWorth, {Named{wrong}}});
+        }
+    }
+    /// Of a value that is there, and has no worth by now.
+    std::string wrongNameOf(const KnownBinding &known) const
+    {
+        if (known.typed)
+            for (const std::string &name : known.typed->names())
+                if (m_document.values.find(std::string_view(name)) && !m_names(name))
+                    return name;
+        return {};
     }
     /// Asked now and then: two that want different things stay as far apart as they were.
     bool comesNearer(int round)
@@ -157,6 +188,50 @@ private:
                                                 whyNotWritten(binding, *worth, next.error()))};
         }
     }
+    /// Lengths that hardly go together can be made to by shearing the section away, round after
+    /// round. None of its places has a reason to go farther than its lengths change together.
+    bool strayed()
+    {
+        std::map<SectionId, double> changes;
+        for (const BindingPointer &pointer : m_bindings) {
+            const DrivenPlace &place = pointer->binding.place;
+            const Dimension *dimension =
+                place.of == DrivenPlace::Of::Dimension ? dimensionAt(place) : nullptr;
+            const bool isSize = place.of == DrivenPlace::Of::Section &&
+                                (place.field == "width" || place.field == "height");
+            const std::optional<DrivenNumber> was = drivenNumber(m_before, place),
+                                              is = drivenNumber(m_document, place);
+            if ((!dimension && !isSize) || !was || !is)
+                continue;
+            const SectionId section =
+                dimension ? dimension->from.section.drawn : SectionId{place.id};
+            changes[section] += std::abs(is->worth.number - was->worth.number);
+            if (dimension)
+                m_disagreeing = &pointer->binding; // to be named
+        }
+        const bool isNamed = m_disagreeing != nullptr;
+        const bool isFar =
+            isNamed && std::any_of(changes.begin(), changes.end(), [this](const auto &change) {
+                const Section *was = m_before.find(change.first);
+                const Section *is = m_document.find(change.first);
+                if (!was || !is || was->shape == is->shape)
+                    return false;
+                const Box2 before = was->shape->bounds(), now = is->shape->bounds();
+                const double far = std::max((now.min - before.min).cwiseAbs().maxCoeff(),
+                                            (now.max - before.max).cwiseAbs().maxCoeff());
+                return far > kFarthest * change.second + kSameWorthLength;
+            });
+        if (!isFar)
+            m_disagreeing = nullptr;
+        return isFar;
+    }
+    const Dimension *dimensionAt(const DrivenPlace &place) const
+    {
+        for (const Dimension &dimension : m_document.dimensions)
+            if (dimension.id.value == place.id)
+                return &dimension;
+        return nullptr;
+    }
     void keepResults()
     {
         // Only a list that changes is another one.
@@ -173,6 +248,7 @@ private:
     }
 
     Document m_document;
+    const Document m_before;
     const std::vector<BindingPointer> m_bindings; // whatever becomes of those of the document
     Names m_names;
     std::vector<DrivingError> m_errors;
@@ -248,8 +324,19 @@ tl::expected<Document, Message> bound(Document document, const DrivenPlace &plac
     // What this number moved, as a section takes along what is on it, is where it was meant to be.
     Driven result{*std::move(next), EvaluatedValues::of(document.values), {}};
     follow(result);
-    if (const DrivingError *error = firstNew(before.errors, result.errors))
-        return tl::unexpected(error->sentence);
+    const Named quote = quoted(typed, {0, typed.size()});
+    if (const DrivingError *error = firstNew(before.errors, result.errors)) {
+        const Binding *keeps = bindingOf(document, error->place);
+        if (!keeps || error->place == place)
+            return tl::unexpected(error->sentence);
+        return tl::unexpected(atPlace(document, place,
+                                      {kKeptBy,
+                                       {quote, nameOf(document, error->place),
+                                        quoted(keeps->typed, {0, keeps->typed.size()})}}));
+    }
+    const std::optional<DrivenNumber> is = drivenNumber(result.document, place);
+    if (is && !isSameWorth(is->worth, *worth))
+        return tl::unexpected(atPlace(document, place, {kKept, {quote, argumentOf(is->worth)}}));
     return std::move(result.document);
 }
 
