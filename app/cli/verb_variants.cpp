@@ -105,6 +105,16 @@ QStringList settingsOf(const TableRow &names, const TableRow &row)
     return settings;
 }
 
+/// The name that two columns have, whatever its capitals; empty: none.
+QString namedTwice(const QStringList &names)
+{
+    for (qsizetype i = 0; i < names.size(); ++i)
+        for (qsizetype k = 0; k < i; ++k)
+            if (!names[i].isEmpty() && names[i].compare(names[k], Qt::CaseInsensitive) == 0)
+                return names[i];
+    return {};
+}
+
 /// The name of a column of our own, which no value's is, whatever its capitals.
 QString ownColumn(const QStringList &values, QString name)
 {
@@ -146,6 +156,7 @@ int makeAll(const Document &document, const std::vector<TableRow> &rows, const i
             return *variant.status;
         }
         if (!variant.wrong.isEmpty()) {
+            QFile::remove(path); // of an earlier run: it would pass for what this line makes
             //: %1 is a file's name, %2 the number of a line, %3 a sentence
             printError(tr("%1:%2: %3").arg(table, QString::number(row.line), variant.wrong));
             status = BadInput;
@@ -203,6 +214,10 @@ int runVariants(const QStringList &arguments)
         printError(rows
                        ? tr("%1: found no line of numbers, expected one below the names.").arg(name)
                        : tr("%1: a quote is not closed.").arg(name));
+        return BadInput;
+    }
+    if (const QString twice = namedTwice(rows->front().cells); !twice.isEmpty()) {
+        printError(tr("%1: two columns are named \"%2\".").arg(name, twice));
         return BadInput;
     }
     if (!QDir().mkpath(folder)) {
