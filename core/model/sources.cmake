@@ -33,5 +33,6 @@ target_sources(fff_core PRIVATE
     model/symmetric_section.cpp
     model/template.cpp
     model/template_edits.cpp
+    model/told_names.cpp
     model/transformed.cpp
 )

@@ -4,6 +4,7 @@
 #include "core/io/document_file.h"
 #include "ui/bench/workbench.h"
 #include "ui/files/document_files.h"
+#include "ui/start/sample_texts.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -76,9 +77,11 @@ int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
             ++count;
             continue;
         }
-        const std::optional<io::LoadedDocument> loaded = from.files().read(path);
+        std::optional<io::LoadedDocument> loaded = from.files().read(path);
         if (!loaded)
             continue;
+        if (path.startsWith(QStringLiteral(":/samples/")))
+            loaded->document = inThisLanguage(loaded->document);
         MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
         window->files().show(*loaded, path, asCopy);
         window->showDocument();

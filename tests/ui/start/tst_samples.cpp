@@ -5,13 +5,17 @@
 #include "core/analysis/plan_checks.h"
 #include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
+#include "core/model/told_names.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
+#include "ui/settings/languages.h"
+#include "ui/start/sample_texts.h"
 #include "ui/start/samples.h"
 
 #include <QSet>
+#include <QTranslator>
 
 #include <algorithm>
 
@@ -26,6 +30,9 @@ private Q_SLOTS:
     void eachHoldsAndCanBeMade_data();
     void eachHoldsAndCanBeMade();
     void everyOperationIsInOne();
+    void everyNameCanBeTold();
+    void inEveryLanguageTheyAreTheSame_data();
+    void inEveryLanguageTheyAreTheSame();
 };
 
 void TestSamples::thereAreSeveral()
@@ -83,6 +90,60 @@ void TestSamples::everyOperationIsInOne()
     }
     for (const OperationKind *kind : operationKinds())
         QVERIFY2(kinds.contains(QString::fromUtf8(kind->key)), kind->key);
+}
+
+// Wrong: a window in Japanese with "Front legs" in it.
+void TestSamples::everyNameCanBeTold()
+{
+    const QStringList known = ui::sampleTexts();
+    for (const ui::Sample &sample : ui::samples()) {
+        const Result<io::LoadedDocument> loaded = io::readDocument(sample.path);
+        QVERIFY(loaded);
+        QStringList missing;
+        withNamesTold(loaded->document, [&](const std::string &name) {
+            if (!known.contains(QString::fromStdString(name)))
+                missing += QString::fromStdString(name);
+            return name;
+        });
+        QVERIFY2(missing.isEmpty(), qPrintable(sample.name + QStringLiteral(": ") +
+                                               missing.join(QStringLiteral(", "))));
+    }
+}
+
+void TestSamples::inEveryLanguageTheyAreTheSame_data()
+{
+    QTest::addColumn<QString>("language");
+    for (const QString &language : ui::languagesThere())
+        QTest::newRow(qPrintable(language)) << language;
+}
+
+// Wrong: a value whose name cannot be one there, or is another one's, and what is made of it.
+void TestSamples::inEveryLanguageTheyAreTheSame()
+{
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/i18n/flatfitfab_") + language));
+    for (const ui::Sample &sample : ui::samples()) {
+        const Document english = io::readDocument(sample.path)->document;
+        QCoreApplication::installTranslator(&translator);
+        const Document told = ui::inThisLanguage(english);
+        QCoreApplication::removeTranslator(&translator);
+        const Model before = evaluate(english), after = evaluate(told);
+        QVERIFY(after.evaluation.values.wrong().empty());
+        QVERIFY(after.evaluation.drivingErrors.empty());
+        QCOMPARE(after.sectionCount(), before.sectionCount());
+        for (std::size_t i = 0; i < after.sectionCount(); ++i) {
+            QVERIFY(*after.section(i)->shape == *before.section(i)->shape);
+            QVERIFY(after.section(i)->frame == before.section(i)->frame);
+        }
+        if (language == QStringLiteral("en"))
+            continue;
+        for (std::size_t i = 0; i < told.values.list.size(); ++i) {
+            const std::string &name = english.values.list[i]->value.name;
+            const QString wanted = translator.translate("fff::ui::SampleTexts", name.c_str());
+            QCOMPARE(QString::fromStdString(told.values.list[i]->value.name), wanted);
+        }
+    }
 }
 
 FFF_TEST(TestSamples)
