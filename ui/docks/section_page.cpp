@@ -42,7 +42,7 @@ constexpr CountedText kSetStock{FFF_TEXT("Step", "Change stock of %1"),
                                 FFF_TEXT_OF_MANY("Step", "Change stock of %n sections")};
 
 constexpr LengthEdit::Range kThicknessRange{0.01, 1000.0, 0.05, 2, 3};
-constexpr LengthEdit::Range kSizeRange{0.01, kMaxCoordinate, 0.5, 1, 3};
+constexpr LengthEdit::Range kSizeRange{0.01, kMaxCoordinate, 0.5, 2, 2};
 /// Sizes that differ by less, mm, are shown as one.
 constexpr double kSameSize = 1e-7;
 

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QStyleOptionSpinBox>
+#include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -15,10 +16,11 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kWidth = 120;        // px; figures are not of one width in Qt 6.4's fonts
-constexpr int kCompactWidth = 48;  // px
-constexpr int kSettleTime = 350;   // ms after the last step of an arrow
-constexpr int kRefusalTime = 6000; // ms that a reason is said
+constexpr int kWidth = 120;         // px; figures are not of one width in Qt 6.4's fonts
+constexpr int kCompactWidth = 48;   // px
+constexpr int kSettleTime = 350;    // ms after the last step of an arrow
+constexpr int kRefusalTime = 30000; // ms that a reason is said
+constexpr int kAfterLists = 50;    // ms, by when a list of names is closed that would take it along
 constexpr int kStoredDecimals = 9; // the value is exact, only what is shown is rounded
 constexpr char16_t kThinSpace = u'\u202f';
 
@@ -33,6 +35,7 @@ NumberEdit::NumberEdit(const Range &range, const QString &unit, QWidget *parent)
     setFocusPolicy(Qt::StrongFocus);
     setMinimumWidth(kWidth);
     lineEdit()->setPlaceholderText(tr("mixed"));
+    lineEdit()->installEventFilter(this);
     setUnit(unit, range.step);
 
     m_settled.setSingleShot(true);
@@ -207,7 +210,11 @@ QString NumberEdit::whyNot(const Expression &typed) const
 
 void NumberEdit::refuse(const QString &reason)
 {
-    QToolTip::showText(mapToGlobal(QPoint(0, height() - 12)), reason, this, {}, kRefusalTime);
+    QTimer::singleShot(kAfterLists, this, [this, reason] {
+        if (isVisible())
+            QToolTip::showText(mapToGlobal(QPoint(0, height() - 12)), reason, this, {},
+                               kRefusalTime);
+    });
     Q_EMIT refused(reason);
 }
 

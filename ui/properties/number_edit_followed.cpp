@@ -55,7 +55,6 @@ void NumberEdit::setFollowed(Followed followed)
     QFont italic = m_mark->font();
     italic.setItalic(true);
     m_mark->setFont(italic);
-    lineEdit()->installEventFilter(this);
     connect(lineEdit(), &QLineEdit::textEdited, this, &NumberEdit::followNames);
     showMark();
 }
@@ -86,6 +85,11 @@ bool NumberEdit::eventFilter(QObject *object, QEvent *event)
 {
     if (object == lineEdit() && event->type() == QEvent::MouseButtonPress && hasFocus())
         showExpression();
+    // All of the number: Qt takes what stands before or behind the point for a word.
+    if (object == lineEdit() && event->type() == QEvent::MouseButtonDblClick) {
+        selectAll();
+        return true;
+    }
     return QDoubleSpinBox::eventFilter(object, event);
 }
 
@@ -151,6 +155,8 @@ bool NumberEdit::isFormula(const QString &typed) const
         return hasEquals;
     if (hasEquals)
         return !formula->names().empty();
+    if (formula->names().empty())
+        return !read(typed).value; // a function
     const QStringList known = m_followed.names();
     return std::any_of(formula->names().begin(), formula->names().end(),
                        [&known](const std::string &name) {
@@ -209,6 +215,14 @@ bool NumberEdit::event(QEvent *event)
         setToolTip(withEquals(m_followed.typed()));
     else if (event->type() == QEvent::ToolTip && toolTip().startsWith(withEquals({})))
         setToolTip({});
+    // While nothing is typed, Ctrl+Z is the model's.
+    if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
+        const auto *key = static_cast<QKeyEvent *>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
     return QDoubleSpinBox::event(event);
 }
 

@@ -134,8 +134,8 @@ void SheetGroup::refresh()
               : part->isOnly ? which
                              //: %1 is "1 of 2"
                              : tr("%1, its first part").arg(which);
-    m_position = QStringLiteral("%1, %2").arg(lengthNumber(part->corner.x(), 1, 1, locale()),
-                                              lengthText(part->corner.y(), 1, 1, locale()));
+    m_position = QStringLiteral("%1 × %2").arg(lengthNumber(part->corner.x(), 1, 1, locale()),
+                                               lengthText(part->corner.y(), 1, 1, locale()));
     const double angle = degrees(std::atan2(part->place.turn.y(), part->place.turn.x()));
     m_turn = locale().toString(angle < 0.0 ? angle + kWholeTurn : angle, 'f', 1) + u'°';
     for (PropertyRow *row : m_rows)

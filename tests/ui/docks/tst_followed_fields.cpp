@@ -33,6 +33,8 @@ private Q_SLOTS:
     void fieldsOfTheModelFollow_data();
     void fieldsOfTheModelFollow();
     void aSectionsSizeFollows();
+    void undoIsTheModelsBehindEnter();
+    void aDoubleClickTakesAllOfTheNumber();
     void aDimensionStretchesItsSection();
     void whatIsLeftWithoutEnterFollows();
     void ofTwoThingsNoneFollows();
@@ -237,6 +239,39 @@ void TestFollowedFields::aSectionsSizeFollows()
     bench().select(
         {SectionRef(document().sections[0]->id), SectionRef(document().sections[1]->id)});
     QTRY_VERIFY(!field("sectionWidth")->isEnabled());
+}
+
+// Wrong: the field kept the focus and took Ctrl+Z for its own text.
+void TestFollowedFields::undoIsTheModelsBehindEnter()
+{
+    openBoard();
+    QTRY_VERIFY(field("sectionWidth"));
+    const Document was = document();
+    type(field("sectionWidth"), QStringLiteral("150"));
+    QVERIFY(!(document() == was));
+    activate();
+    QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    key.ignore();
+    QCoreApplication::sendEvent(field("sectionWidth"), &key);
+    QVERIFY(!key.isAccepted());
+    QTest::keyClicks(field("sectionWidth"), QStringLiteral("9"));
+    QCoreApplication::sendEvent(field("sectionWidth"), &key);
+    QVERIFY(key.isAccepted()); // of what is being typed
+}
+
+// Wrong: in 340.0 the digit behind the point was taken for a word, and 400 became 340.4.
+void TestFollowedFields::aDoubleClickTakesAllOfTheNumber()
+{
+    openBoard();
+    QTRY_VERIFY(field("sectionWidth"));
+    activate();
+    auto *line =
+        field("sectionWidth")->findChild<QLineEdit *>(QStringLiteral("qt_spinbox_lineedit"));
+    QTest::mouseDClick(line, Qt::LeftButton, {}, QPoint(20, line->height() / 2));
+    QVERIFY(line->selectedText().startsWith(QStringLiteral("200.0")));
+    QTest::keyClicks(field("sectionWidth"), QStringLiteral("170"));
+    QTest::keyClick(field("sectionWidth"), Qt::Key_Return);
+    QVERIFY(std::abs(document().sections.front()->shape->bounds().size().x() - 170.0) < 1e-9);
 }
 
 // And what stands on the section can be told how to follow, once there is something to follow.
