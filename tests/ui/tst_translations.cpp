@@ -11,6 +11,8 @@
 
 #include <QDir>
 #include <QFontMetrics>
+#include <QKeySequence>
+#include <QLibraryInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -120,6 +122,28 @@ private Q_SLOTS:
         for (const char32_t letter : missing)
             all += QString::fromUcs4(&letter, 1);
         QVERIFY2(all.isEmpty(), qPrintable(all));
+    }
+
+    void keysAreNamedAsOnKeyboards_data() { translations(); }
+
+    /// Wrong: a Polish menu had "Katalog domowy", a home directory, for a key.
+    void keysAreNamedAsOnKeyboards()
+    {
+        QFETCH(QString, language);
+        QTranslator qts, ours;
+        QVERIFY(ours.load(QStringLiteral(":/i18n/flatfitfab_") + language));
+        if (qts.load(QStringLiteral("qtbase_") + language,
+                     QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+            QCoreApplication::installTranslator(&qts);
+        QCoreApplication::installTranslator(&ours);
+        const QString keys =
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Home).toString(QKeySequence::NativeText);
+        QCOMPARE(keys,
+                 QStringLiteral("%1+%2+%3")
+                     .arg(ours.translate("QShortcut", "Ctrl"), ours.translate("QShortcut", "Shift"),
+                          ours.translate("QShortcut", "Home")));
+        QCoreApplication::removeTranslator(&ours);
+        QCoreApplication::removeTranslator(&qts);
     }
 
     void menusHaveOneKeyForEachEntry_data()
