@@ -1,6 +1,7 @@
 target_sources(fff_ui PRIVATE
     actions/action_finder.cpp
     actions/action_set.cpp
+    actions/key_names.cpp
     actions/menu_keys.cpp
     actions/menu_table.cpp
     actions/search_words.cpp
@@ -180,13 +181,13 @@ target_sources(fff_ui PRIVATE
     sheets/sheets_view.cpp
     sheets/sheets_view_hand.cpp
     sheets/sheets_view_painting.cpp
+    start/sample_texts.cpp
     start/samples.cpp
     start/start_page.cpp
     steps/steps_bar.cpp
     steps/steps_export.cpp
     steps/steps_view.cpp
     window/adjust_bar.cpp
-    window/adjusting.cpp
     window/badge.cpp
     window/badges.cpp
     window/canvas_bar.cpp
@@ -195,7 +196,7 @@ target_sources(fff_ui PRIVATE
     window/export_button.cpp
     window/main_tool_bar.cpp
     window/main_window.cpp
-    window/main_window_adjusting.cpp
+    window/main_window_scope.cpp
     window/main_window_commands.cpp
     window/main_window_imports.cpp
     window/operation_notices.cpp
@@ -203,6 +204,7 @@ target_sources(fff_ui PRIVATE
     window/spoken_selection.cpp
     window/view_chips.cpp
     window/window_layout.cpp
+    window/window_scope.cpp
     window/windows.cpp
 )
 include(${CMAKE_SOURCE_DIR}/resources/help/help.cmake)

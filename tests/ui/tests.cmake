@@ -96,6 +96,7 @@ set(windows
     ui/tst_transform_window
     ui/tst_weight_keys
     ui/window/tst_adjusting
+    ui/window/tst_simple_window
     ui/window/tst_room_for_panels
     ui/window/tst_start_window)
 fff_tests(tests_window LIBRARIES fff::ui ON_A_DISPLAY ${windows})

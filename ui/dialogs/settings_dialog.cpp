@@ -245,6 +245,9 @@ QWidget *SettingsDialog::makeGeneral()
     form->note(tr("Takes effect after a restart."));
     form->box("settingsStartPage", tr("Show the start page at startup"),
               settings().showsStartPage(), [](bool on) { settings().setShowsStartPage(on); });
+    form->box("settingsSimpleWindow", tr("Simple window"), settings().hasSimpleWindow(),
+              [](bool on) { settings().setSimpleWindow(on); });
+    form->note(tr("To draw, check and export; all else is out of the way."));
     return form;
 }
 

@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QLocale>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
@@ -27,6 +29,13 @@ const QStringList &languagesThere()
             file.remove(QLatin1String(kBefore));
             codes += file.chopped(qstrlen(kBehind));
         }
+        // Those in letters that most of the others' readers cannot read come last.
+        std::stable_sort(codes.begin(), codes.end(), [](const QString &a, const QString &b) {
+            const auto isLatin = [](const QString &code) {
+                return QLocale(code).script() == QLocale::LatinScript;
+            };
+            return isLatin(a) > isLatin(b);
+        });
         return codes;
     }();
     return there;

@@ -7,7 +7,7 @@ class QLocale;
 
 namespace fff::ui {
 
-/// As the settings name them: "de", "en", "pt_BR". Found when it is asked; ascending.
+/// As the settings name them: "de", "en", "pt_BR". Found when it is asked; Latin letters first.
 const QStringList &languagesThere();
 /// In itself, so that whoever got lost finds back: "Deutsch", "Português (Brasil)".
 QString nameOfLanguage(const QString &code);

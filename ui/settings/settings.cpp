@@ -22,6 +22,7 @@ const QString kUnit = QStringLiteral("display/unit");
 const QString kScheme = QStringLiteral("display/theme");
 const QString kLanguage = QStringLiteral("display/language");
 const QString kStartPage = QStringLiteral("start/page");
+const QString kSimpleWindow = QStringLiteral("display/simple");
 const QString kTurnTime = QStringLiteral("view/turnTime");
 const QString kMotion = QStringLiteral("view/motion");
 const QString kGuideReachKey = QStringLiteral("drawing/guideReach");
@@ -191,6 +192,19 @@ void Settings::setShowsStartPage(bool shows)
         return;
     store(kStartPage, shows);
     Q_EMIT startPageChanged();
+}
+
+bool Settings::hasSimpleWindow() const
+{
+    return truthOf(m_store.value(kSimpleWindow), false);
+}
+
+void Settings::setSimpleWindow(bool isSimple)
+{
+    if (isSimple == hasSimpleWindow())
+        return;
+    store(kSimpleWindow, isSimple);
+    Q_EMIT simpleWindowChanged();
 }
 
 int Settings::turnTime() const

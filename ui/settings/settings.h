@@ -59,6 +59,8 @@ public:
     void setLanguage(const QString &language);
     bool showsStartPage() const;
     void setShowsStartPage(bool shows);
+    bool hasSimpleWindow() const; // to draw, check and export, and nothing else
+    void setSimpleWindow(bool isSimple);
 
     // View
     static constexpr int kMaxTurnTime = 3000; // ms
@@ -151,6 +153,7 @@ Q_SIGNALS:
     void colourSchemeChanged();
     void languageChanged();
     void startPageChanged();
+    void simpleWindowChanged();
     void viewChanged();     // turn time, motion
     void drawingChanged();  // all of Drawing
     void checksChanged();   // all of Checks

@@ -10,6 +10,8 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
@@ -126,10 +128,7 @@ void MainToolBar::fold(int windowWidth)
         setFolded(false);
     }
     // The buttons for a section may come and go without anything else: they have their room.
-    const int room = actions().contains(m_ofSection.front())
-                         ? 0
-                         : static_cast<int>(m_ofSection.size()) *
-                               (widgetForAction(m_ofDrawing)->sizeHint().width() + kBetweenButtons);
+    const int room = actions().contains(m_ofSection.front()) ? 0 : roomOfSection();
     m_stock->setShort(windowWidth < kWholeStock);
     if (labels && sizeHint().width() + room > windowWidth) {
         m_stock->setShort(true);
@@ -145,6 +144,20 @@ void MainToolBar::fold(int windowWidth)
     if (sizeHint().width() > windowWidth)
         m_repeat->setToolButtonStyle(Qt::ToolButtonIconOnly);
     setFixedHeight(labels ? 56 : 44);
+}
+
+/// px, that the buttons for a section will take: their words are others than those that are there.
+int MainToolBar::roomOfSection() const
+{
+    const QWidget *like = widgetForAction(m_ofDrawing);
+    const auto wordOf = [like](const QAction *action) {
+        return like->fontMetrics().size(Qt::TextShowMnemonic, action->iconText()).width();
+    };
+    int room = 0;
+    for (const QAction *action : m_ofSection)
+        room += like->sizeHint().width() + kBetweenButtons +
+                std::max(0, wordOf(action) - wordOf(m_ofDrawing));
+    return room;
 }
 
 /// Signs alone stand closer together than words.

@@ -32,6 +32,7 @@ private:
     void place(const std::vector<QAction *> &actions, bool isThere, QAction *before);
     void followSelection();
     void setFolded(bool isFolded);
+    int roomOfSection() const;
 
     Workbench &m_bench;
     StockBox *m_stock = nullptr;

@@ -35,7 +35,6 @@
 #include "ui/steps/steps_export.h"
 #include "ui/steps/steps_view.h"
 #include "ui/window/adjust_bar.h"
-#include "ui/window/adjusting.h"
 #include "ui/window/badges.h"
 #include "ui/window/canvas_bar.h"
 #include "ui/window/context_menu.h"
@@ -44,6 +43,7 @@
 #include "ui/window/spoken_selection.h"
 #include "ui/window/view_chips.h"
 #include "ui/window/window_layout.h"
+#include "ui/window/window_scope.h"
 #include "ui/window/windows.h"
 
 #include <QCloseEvent>
@@ -102,7 +102,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
     addToolBar(m_toolBar);
     makeMenus();
-    makeAdjusting();
+    makeScope();
     m_layout->restore();
     refreshTheme();
 
@@ -196,7 +196,7 @@ void MainWindow::makeDocks()
     if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
         auto *menu = new ContextMenu(*m_bench, *m_actions, m_view);
         connect(viewport, &Viewport::enterPressed, this,
-                [this] { m_adjusting->isOn() ? goInto(*m_values) : goInto(*m_properties); });
+                [this] { m_scope->isAdjusting() ? goInto(*m_values) : goInto(*m_properties); });
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
         connect(viewport, &Viewport::menuWanted, menu, &ContextMenu::openAt);
         connect(viewport, &Viewport::menuKeyPressed, menu, &ContextMenu::openForSelection);
@@ -219,7 +219,7 @@ void MainWindow::makeDocks()
     connect(m_sheets, &QDockWidget::visibilityChanged, m_actions, &ActionSet::refresh);
 
     connect(m_badges, &Badges::clicked, this, [this](Subject subject, const QString &sentence) {
-        if (m_adjusting->isOn())
+        if (m_scope->isAdjusting())
             m_status->say(sentence);
         else
             m_checks->choose(subject);
@@ -321,7 +321,7 @@ void MainWindow::showDocument()
     m_middle->setCurrentWidget(m_view);
     m_layout->setAway(false);
     m_status->setStanding({});
-    m_adjusting->offerValues();
+    m_scope->offerValues();
     m_view->setFocus();
 }
 
@@ -506,7 +506,7 @@ void MainWindow::showEvent(QShowEvent *event)
         return;
     m_wasShown = true;
     m_layout->windowShown();
-    m_adjusting->offerValues();
+    m_scope->offerValues();
     m_view->setFocus();
 }
 

@@ -15,7 +15,7 @@ namespace fff::ui {
 
 class ActionSet;
 class AdjustBar;
-class Adjusting;
+class WindowScope;
 class Badges;
 class ViewChips;
 struct MeshImported;
@@ -94,7 +94,7 @@ private:
     bool pastePicture();
     void tellImported(const MeshImported &imported);
     void connectTemplates();
-    void makeAdjusting();
+    void makeScope();
     bool isOnlyAdjusted();
     void run(const QString &id);
     void openFiles(const QStringList &paths);
@@ -130,7 +130,7 @@ private:
     DocumentFiles *m_files = nullptr;
     MainToolBar *m_toolBar = nullptr;
     AdjustBar *m_adjustBar = nullptr;
-    Adjusting *m_adjusting = nullptr;
+    WindowScope *m_scope = nullptr;
     WindowLayout *m_layout = nullptr;
     QStackedWidget *m_middle = nullptr; // the view, or the start page
     UnsavedWork *m_unsaved = nullptr;

@@ -16,10 +16,10 @@
 #include "ui/sheets/sheets_dock.h"
 #include "ui/steps/steps_view.h"
 #include "ui/window/adjust_bar.h"
-#include "ui/window/adjusting.h"
 #include "ui/window/main_tool_bar.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_layout.h"
+#include "ui/window/window_scope.h"
 #include "ui/window/windows.h"
 
 #include <QMenuBar>
@@ -182,7 +182,7 @@ void MainWindow::addCommands()
     add("help.about", [this] { AboutDialog(this).exec(); });
     const auto goBy = [this](int step) {
         QToolBar *bar = m_toolBar;
-        if (m_adjusting->isOn())
+        if (m_scope->isAdjusting())
             bar = m_adjustBar;
         goToPane(*this, bar, m_view, step);
     };

@@ -186,7 +186,8 @@ bool WindowLayout::isAsAtFirst(bool narrow) const
 
 void WindowLayout::followWidth()
 {
-    if (m_isHidden || m_isAway || m_only || isAsAtFirst(isNarrow()) || !isAsAtFirst(!isNarrow()))
+    if (m_isHidden || m_isAway || m_only.dock || isAsAtFirst(isNarrow()) ||
+        !isAsAtFirst(!isNarrow()))
         return;
     std::vector<bool> areShown;
     for (const QDockWidget *dock : m_docks)
@@ -211,7 +212,7 @@ void WindowLayout::restore()
 void WindowLayout::windowShown()
 {
     const bool away = std::exchange(m_isAway, false);
-    QDockWidget *only = std::exchange(m_only, nullptr);
+    const Only only = std::exchange(m_only, {});
     reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     const auto firstIn = [this](Place place) {
@@ -254,41 +255,48 @@ void WindowLayout::setAway(bool away)
     follow();
 }
 
-void WindowLayout::setOnly(QDockWidget *dock, QToolBar *bar)
+void WindowLayout::setOnly(const Only &only)
 {
-    m_barOfOnly = bar;
-    if (dock == m_only)
-        return showBars();
-    m_only = dock;
-    follow();
+    const bool isSame = only.dock == m_only.dock;
+    m_only = only;
+    if (isSame)
+        showBars();
+    else
+        follow();
+}
+
+void WindowLayout::setOwnBar(QToolBar *bar)
+{
+    m_ownBar = bar;
+    showBars();
 }
 
 void WindowLayout::follow()
 {
-    if (!m_isHidden && !m_isAway && !m_only)
+    if (!m_isHidden && !m_isAway && !m_only.dock)
         return bringBack();
     if (m_beforeHiding.isEmpty())
         m_beforeHiding = m_window.saveState(kVersion);
     for (QDockWidget *dock : m_docks)
-        if (dock != m_only || m_isAway)
+        if (dock != m_only.dock || m_isAway)
             dock->hide();
-    if (m_only && !m_isAway)
+    if (m_only.dock && !m_isAway)
         showOnly();
     showBars();
 }
 
 void WindowLayout::showOnly()
 {
-    m_only->setFloating(false);
-    m_window.addDockWidget(Qt::RightDockWidgetArea, m_only);
-    m_only->show();
-    m_window.resizeDocks({m_only}, {kRightWidth}, Qt::Horizontal);
+    m_only.dock->setFloating(false);
+    m_window.addDockWidget(m_only.area, m_only.dock);
+    m_only.dock->show();
+    m_window.resizeDocks({m_only.dock}, {kRightWidth}, Qt::Horizontal);
 }
 
 void WindowLayout::showBars()
 {
     for (QToolBar *bar : m_window.findChildren<QToolBar *>())
-        bar->setVisible(!m_isAway && (bar == m_barOfOnly) == (m_only != nullptr));
+        bar->setVisible(!m_isAway && (bar == m_ownBar) == m_only.hasOwnBar);
 }
 
 void WindowLayout::bringBack()
@@ -303,7 +311,7 @@ void WindowLayout::bringBack()
 
 void WindowLayout::show(QDockWidget *dock)
 {
-    if (m_only && dock != m_only)
+    if (m_only.dock && dock != m_only.dock)
         return;
     setHidden(false);
     setAway(false);
@@ -331,7 +339,7 @@ void WindowLayout::forgetHiding()
 {
     m_beforeHiding.clear();
     const bool wasHidden = std::exchange(m_isHidden, false);
-    if (m_isAway || m_only)
+    if (m_isAway || m_only.dock)
         follow();
     if (wasHidden)
         Q_EMIT hiddenChanged(false);

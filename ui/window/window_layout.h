@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <Qt>
 
 #include <vector>
 
@@ -48,8 +49,16 @@ public:
     bool isHidden() const { return m_isHidden; }
     /// Docks and tool bar away while there is no model to work on, and back as they were.
     void setAway(bool away);
-    /// This dock at the right and this tool bar, all others away; null: back exactly as they were.
-    void setOnly(QDockWidget *dock, QToolBar *bar);
+    struct Only
+    {
+        QDockWidget *dock = nullptr; // null: all of them
+        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+        bool hasOwnBar = false; // in place of the others
+    };
+    /// This dock there, all others away; or all back exactly as they were.
+    void setOnly(const Only &only);
+    /// The tool bar that is there with a dock alone, and never else.
+    void setOwnBar(QToolBar *bar);
     /// Call when the window has another width. Docks that are still where a window of the other
     /// kind (wide, narrow) has them go where this one has them; what the person has moved stays.
     void followWidth();
@@ -81,8 +90,8 @@ private:
     std::vector<char> m_areShown; // at first
     QByteArray m_beforeHiding;    // empty: nothing is hidden
     bool m_isHidden = false, m_isAway = false;
-    QDockWidget *m_only = nullptr;   // null: all
-    QToolBar *m_barOfOnly = nullptr; // is there with it, and never else
+    Only m_only;
+    QToolBar *m_ownBar = nullptr;
 };
 
 } // namespace fff::ui

@@ -1,15 +1,16 @@
-#include "ui/window/adjusting.h"
+#include "ui/window/window_scope.h"
 
 #include "core/interaction/value_editing.h"
 #include "ui/actions/action_set.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/values_dock.h"
-#include "ui/window/adjust_bar.h"
+#include "ui/settings/settings.h"
 #include "ui/window/window_layout.h"
 
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QToolBar>
 
 #include <algorithm>
 
@@ -19,8 +20,10 @@ namespace {
 
 constexpr Text kOnlyAdjusted =
     FFF_TEXT("Command", "The model is here to be adjusted; “Edit the design” brings all back");
+constexpr Text kOnlySimple =
+    FFF_TEXT("Command", "The simple window does without it; Settings have the whole one");
 
-constexpr std::string_view kLetThrough[] = {
+constexpr std::string_view kOfAdjusting[] = {
     "file.new",          "file.open",   "file.save",       "file.saveAs",
     "file.revert",       "file.export", "file.settings",   "file.exportAgain",
     "file.shortcuts",    "file.close",  "file.quit",       "edit.undo",
@@ -31,6 +34,33 @@ constexpr std::string_view kLetThrough[] = {
     "view.fullScreen",   "view.values", "help.firstSteps", "help.start",
     "help.about",        "value.set",   "value.handOn",    "preset.take",
     "check.showAssembly"};
+
+/// The simple window has what draws, changes and looks at what was drawn; it does without what
+/// repeats, weighs, measures, imports and marks.
+constexpr std::string_view kKindsOfSimple[] = {
+    "file.", "edit.", "view.", "section.", "point.", "joint.", "check.", "transform.", "help."};
+constexpr std::string_view kNotSimple[] = {"file.insert",
+                                           "file.addToLibrary",
+                                           "edit.mirror",
+                                           "edit.mirrorCopyX",
+                                           "edit.mirrorCopyY",
+                                           "edit.mirrorCopyZ",
+                                           "edit.mirrorCopySection",
+                                           "view.clip",
+                                           "view.skin",
+                                           "view.values",
+                                           "view.newValue",
+                                           "view.properties",
+                                           "view.docks",
+                                           "view.resetWindow",
+                                           "check.stress",
+                                           "section.mark",
+                                           "section.importContour",
+                                           "section.importHoles",
+                                           "section.importMarks",
+                                           "section.importSections",
+                                           "section.lock",
+                                           "section.holdTo"};
 
 /// Whether anything is left of it; what opens beside it goes with all that is in there.
 bool showUsed(QMenu &menu)
@@ -49,55 +79,77 @@ bool showUsed(QMenu &menu)
 
 } // namespace
 
-Adjusting::Adjusting(Workbench &bench, ActionSet &actions, WindowLayout &layout, ValuesDock &values,
-                     AdjustBar &bar, const QMenuBar &menus, QObject *parent)
-    : QObject(parent), m_bench(bench), m_actions(actions), m_layout(layout), m_values(values),
-      m_bar(bar)
+WindowScope::WindowScope(Workbench &bench, ActionSet &actions, WindowLayout &layout,
+                         const Parts &parts, const QMenuBar &menus, QObject *parent)
+    : QObject(parent), m_bench(bench), m_actions(actions), m_layout(layout), m_parts(parts)
 {
     for (const QAction *action : menus.actions())
         if (action->menu() && action->isVisible())
             m_menus.push_back(action->menu());
-    m_layout.setOnly(nullptr, &m_bar);
-    connect(&bench.session(), &Session::modelChanged, this, &Adjusting::follow);
-    connect(&bench.session(), &Session::committedChanged, this, &Adjusting::follow);
+    m_layout.setOwnBar(m_parts.adjustBar);
+    connect(&bench.session(), &Session::modelChanged, this, &WindowScope::follow);
+    connect(&bench.session(), &Session::committedChanged, this, &WindowScope::follow);
     connect(&bench.session(), &Session::replaced, this, [this] { m_isOpened = true; });
+    connect(&settings(), &Settings::simpleWindowChanged, this, &WindowScope::follow);
     follow();
 }
 
-void Adjusting::offerValues()
+void WindowScope::offerValues()
 {
-    if (!m_isOpened || !m_values.window()->isVisible())
+    if (!m_isOpened || !m_parts.values->window()->isVisible())
         return;
     m_isOpened = false;
     const bool hasShown = hasShownValue(m_bench.session().committed().document.values);
-    if (hasShown && !m_isOn && !m_layout.isHidden())
-        m_layout.show(&m_values);
+    if (hasShown && m_scope == Scope::Whole && !m_layout.isHidden())
+        m_layout.show(m_parts.values);
 }
 
-bool Adjusting::lets(std::string_view command)
+bool WindowScope::lets(Scope scope, std::string_view command)
 {
-    return std::ranges::find(kLetThrough, command) != std::end(kLetThrough);
+    if (scope == Scope::Adjusting)
+        return std::ranges::find(kOfAdjusting, command) != std::end(kOfAdjusting);
+    return scope == Scope::Whole ||
+           (std::ranges::any_of(
+                kKindsOfSimple,
+                [command](std::string_view kind) { return command.starts_with(kind); }) &&
+            std::ranges::find(kNotSimple, command) == std::end(kNotSimple));
 }
 
-void Adjusting::follow()
+WindowScope::Scope WindowScope::wanted() const
 {
-    const bool isOn = m_bench.session().committed().document.opensForAdjusting;
-    if (isOn == m_isOn)
+    if (m_bench.session().committed().document.opensForAdjusting)
+        return Scope::Adjusting;
+    return settings().hasSimpleWindow() ? Scope::Simple : Scope::Whole;
+}
+
+void WindowScope::follow()
+{
+    const Scope scope = wanted();
+    if (scope == m_scope)
         return;
-    m_isOn = isOn;
-    m_bench.commands().limit(isOn ? lets : nullptr, kOnlyAdjusted);
-    m_bench.setLooksOnly(isOn);
-    m_values.setAdjustsOnly(isOn);
-    m_layout.setOnly(isOn ? &m_values : nullptr, &m_bar);
+    m_scope = scope;
+    const bool isWhole = scope == Scope::Whole;
+    m_bench.commands().limit(
+        isWhole ? std::function<bool(std::string_view)>()
+                : [scope](std::string_view command) { return lets(scope, command); },
+        isAdjusting() ? kOnlyAdjusted : kOnlySimple);
+    m_bench.setLooksOnly(isAdjusting());
+    m_parts.values->setAdjustsOnly(isAdjusting());
+    if (isWhole)
+        m_layout.setOnly({});
+    else if (isAdjusting())
+        m_layout.setOnly({m_parts.values, Qt::RightDockWidgetArea, true});
+    else
+        m_layout.setOnly({m_parts.simple, Qt::LeftDockWidgetArea, false});
     m_actions.refresh();
     showUsedMenus();
     Q_EMIT changed();
 }
 
-void Adjusting::showUsedMenus()
+void WindowScope::showUsedMenus()
 {
     for (QDockWidget *dock : m_layout.docks())
-        dock->toggleViewAction()->setVisible(!m_isOn);
+        dock->toggleViewAction()->setVisible(m_scope == Scope::Whole);
     for (QMenu *menu : m_menus)
         menu->menuAction()->setVisible(showUsed(*menu));
 }

@@ -20,21 +20,15 @@ private Q_SLOTS:
 
 void TestLanguages::theyAreFound()
 {
-    const QStringList expected = QStringLiteral("de en es fr it ja nl pl pt_BR zh_CN").split(u' ');
+    const QStringList expected = QStringLiteral("de en es fr it nl pl pt_BR ja zh_CN").split(u' ');
     QCOMPARE(languagesThere(), expected);
     QStringList names;
     for (const QString &code : languagesThere())
         names += nameOfLanguage(code);
-    const QStringList inThemselves{QStringLiteral("Deutsch"),
-                                   QStringLiteral("English"),
-                                   QStringLiteral("Español"),
-                                   QStringLiteral("Français"),
-                                   QStringLiteral("Italiano"),
-                                   QStringLiteral("日本語"),
-                                   QStringLiteral("Nederlands"),
-                                   QStringLiteral("Polski"),
-                                   QStringLiteral("Português (Brasil)"),
-                                   QStringLiteral("简体中文")};
+    const QStringList inThemselves =
+        QStringLiteral("Deutsch|English|Español|Français|Italiano|Nederlands|Polski|"
+                       "Português (Brasil)|日本語|简体中文")
+            .split(u'|');
     QCOMPARE(names, inThemselves);
 }
 

@@ -1,0 +1,118 @@
+// The window of a class: what draws, checks and exports, and nothing else; and back.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "tests/test_program.h"
+#include "tests/ui/view_hand.h"
+#include "tests/ui/window_program.h"
+#include "ui/actions/action_finder.h"
+#include "ui/settings/settings.h"
+#include "ui/window/main_tool_bar.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolButton>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+class TestSimpleWindow : public QObject, private ViewHand
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { openWindow(); }
+    void cleanup()
+    {
+        settings().setSimpleWindow(false);
+        closeWindow();
+    }
+
+    void itHasWhatDrawsChecksAndExports();
+    void oneDrawsInIt();
+    void allComesBackAsItWas();
+
+private:
+    QStringList seenDocks() const
+    {
+        QStringList seen;
+        for (const QDockWidget *dock : m_window->findChildren<QDockWidget *>())
+            if (dock->isVisible())
+                seen += dock->objectName();
+        seen.sort();
+        return seen;
+    }
+    QStringList seenButtons() const
+    {
+        QStringList seen;
+        auto *bar = m_window->findChild<MainToolBar *>();
+        for (const QAction *action : bar->actions())
+            if (action->isVisible() && !action->objectName().isEmpty())
+                seen += action->objectName();
+        return seen;
+    }
+};
+
+void TestSimpleWindow::itHasWhatDrawsChecksAndExports()
+{
+    settings().setSimpleWindow(true);
+    QTest::qWait(50);
+    QCOMPARE(seenDocks(), QStringList{QStringLiteral("checksDock")});
+    QVERIFY(m_window->findChild<MainToolBar *>()->isVisible());
+    const QStringList buttons = seenButtons();
+    for (const char *id : {"file.save", "edit.undo", "section.pen", "section.addShape"})
+        QVERIFY2(buttons.contains(QLatin1String(id)), id);
+    for (const char *id : {"operation.linear", "edit.mirror", "physics.addWeight", "check.stress",
+                           "measure.ruler"})
+        QVERIFY2(!buttons.contains(QLatin1String(id)), id);
+    QStringList menus;
+    for (const QAction *action : m_window->menuBar()->actions())
+        if (action->isVisible())
+            menus += action->text().remove(u'&');
+    QCOMPARE(menus, (QStringList{QStringLiteral("File"), QStringLiteral("Edit"),
+                                 QStringLiteral("View"), QStringLiteral("Section"),
+                                 QStringLiteral("Checks"), QStringLiteral("Help")}));
+    QSet<QString> found;
+    for (const ListedAction &listed : listedActions(*m_window->menuBar()))
+        found += listed.id;
+    for (const char *id : {"file.export", "file.settings", "section.redraw", "check.showAssembly",
+                           "point.delete", "help.firstSteps"})
+        QVERIFY2(found.contains(QLatin1String(id)), id);
+    for (const char *id : {"operation.grid", "value.handOn", "view.newValue", "template.addMesh",
+                           "fabricate.stocks", "section.mark", "physics.pull"})
+        QVERIFY2(!found.contains(QLatin1String(id)), id);
+    for (const char *id : {"fabricate.sheets", "view.docks", "view.values"})
+        bench().run(QLatin1String(id)); // nobody brings in another panel
+    QCOMPARE(seenDocks(), QStringList{QStringLiteral("checksDock")});
+}
+
+void TestSimpleWindow::oneDrawsInIt()
+{
+    settings().setSimpleWindow(true);
+    m_view->setFocus();
+    drag({middle() + QPoint(-90, 60), middle() + QPoint(-90, -60), middle() + QPoint(90, -60),
+          middle() + QPoint(90, 60), middle() + QPoint(-88, 58)});
+    QTRY_COMPARE(count(), std::size_t(1));
+    click(middle());
+    QTRY_COMPARE(interaction().selection().size(), std::size_t(1));
+    key(Qt::Key_Delete);
+    QTRY_COMPARE(count(), std::size_t(0));
+}
+
+// Wrong: a teacher who looks at what the class sees has to put all panels back.
+void TestSimpleWindow::allComesBackAsItWas()
+{
+    const QStringList docks = seenDocks(), buttons = seenButtons();
+    settings().setSimpleWindow(true);
+    QTest::qWait(50);
+    QVERIFY(seenDocks() != docks);
+    settings().setSimpleWindow(false);
+    QTest::qWait(50);
+    QCOMPARE(seenDocks(), docks);
+    QCOMPARE(seenButtons(), buttons);
+    QVERIFY(bench().commands().isShown("operation.linear"));
+}
+
+FFF_TEST_WITH(TestSimpleWindow, runInWindowProgram<TestSimpleWindow>)
+#include "tst_simple_window.moc"
