@@ -2065,11 +2065,11 @@
     </message>
     <message>
         <source>Arra&amp;y</source>
-        <translation>Re&amp;ihe</translation>
+        <translation>Muster</translation>
     </message>
     <message>
         <source>Array</source>
-        <translation>Reihe</translation>
+        <translation>Muster</translation>
     </message>
     <message>
         <source>Repeat sections along a line through space</source>
@@ -3389,6 +3389,10 @@
         <source>Others can adjust no value yet</source>
         <translation>Andere können noch keinen Wert anpassen</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>Das einfache Fenster kommt ohne das aus; in den Einstellungen gibt es das ganze</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3743,6 +3747,26 @@
     <message>
         <source>Dimension</source>
         <translation>Maß</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>„%1“ ist hier nicht möglich: Zahlen, die Werten folgen, halten es bei %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>„%1“ ist hier nicht möglich: %2 folgt „%3“, und das hält es, wie es ist.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>„%1“ lässt sich nicht ausrechnen.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>„%1“ ist leer, das geht hier nicht.</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6020,11 @@
             <numerusform>%n Vorgaben, die nichts anderes setzen, sind damit weg.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>„%1“ ist jetzt, was eingestellt ist, anstelle von dem, was es war.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6566,7 +6595,7 @@
     </message>
     <message>
         <source>Array</source>
-        <translation>Reihe</translation>
+        <translation>Muster</translation>
     </message>
     <message>
         <source>Repeats sections along a line through space.</source>
@@ -6583,7 +6612,7 @@
     <message>
         <source>%1 array</source>
         <extracomment>%1 is the name of a section: &quot;Rib array&quot;</extracomment>
-        <translation>Anordnung %1</translation>
+        <translation>Muster %1</translation>
     </message>
     <message>
         <source>Interpolates between sections.</source>
@@ -6888,6 +6917,90 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
     </message>
 </context>
 <context>
@@ -9002,6 +9115,10 @@
     <message>
         <source>Tries the ranges of the values that others can adjust.</source>
         <translation>Probiert die Bereiche der Werte, die andere anpassen können.</translation>
+    </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: zwei Spalten heißen &quot;%2&quot;.</translation>
     </message>
 </context>
 <context>
@@ -12061,7 +12178,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Angle to it</source>
-        <translation>Winkel zu ihr</translation>
+        <translation>Winkel dazu</translation>
     </message>
     <message>
         <source>Symmetric</source>
@@ -12423,6 +12540,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n vorhandene Datei ersetzen?</numerusform>
             <numerusform>%n vorhandene Dateien ersetzen?</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>längs</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>An einer Rippe entlang, von Ring zu Ring</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>An einer Rippe entlang bis zum unteren Ring</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>versatz</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>achse_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>achse_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Rücken</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Querbalken</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Querbalken</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Bauchrippe</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>dazwischen</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Brett</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Bretter</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>bretter</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>großbuchstabe</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>spalte</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>spalten</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Lagerbock</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>lagerbock</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Krone</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Besteck</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>tiefe</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>durchmesser</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>abstand</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Trennwand</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Trennwände</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Ohren</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Hinterer Sockel</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Hinterer Tänzer</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Hinterer Tänzer, geneigt</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Hintere Tänzer</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Tanne</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Tanne quer</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Vorderbeine</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Gabeln und Teelöffel</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Vier Bretter</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>Von Achse zu Achse, waagrecht</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>Von Achse zu Achse, mit etwas Spiel</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>Von Wand zu Wand</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Front</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Vorderer Fuß</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Vorderbeine</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Vordere Zarge</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Vordere Welle</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Glas Wasser</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>höhe</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Höhe der Großbuchstaben; ein langer Name muss kleiner sein</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Höhe der Lagerböcke</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Höhe der Ritzelachse</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Höhe der Radachse</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Hinterer Fuß</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Hinterbeine</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Hintere Welle</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Hüfte</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Geweih</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>Wie weit eine Rippe am oberen Ring neben ihrem Platz unten sitzt</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>Wie weit sich jede Rippe neigt</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>Wie viel tiefer das Ritzel liegt, vom Rad aus gesehen</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Wie breit das Schild ist, in Höhen eines Großbuchstabens</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>Seine Breite</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Gewürzgläser</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Letzte Rippe</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Linker Fuß</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Linkes Blatt</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Linke Seite</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Linke Leiste</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Linker Flügel</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Beine</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>beine</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>schrift</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Langer Fuß</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Unterer Ring</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Untere Leiste</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Mittlerer Sockel</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Mittlerer Tänzer</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Mittlerer Tänzer, geneigt</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Mittlere Tänzer</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Mittlere Rippe</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>modul</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Becher</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Schnauze</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>name</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Namensschild</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Vorderer Sockel</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Vorderer Tänzer</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Vorderer Tänzer, geneigt</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Vordere Tänzer</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>Einer Rippe, an ihr entlang</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>Der Bretter, von Ende zu Ende</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Der Schublade, innen</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Des Glases</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>Der höchsten Wand</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Des Ritzels, von einer Lücke zum Rad hin</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Des Ritzels, ebenso</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>Der Seiten</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>Der Seiten; die Krone ragt darüber hinaus</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>Des Rads</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>Des Rads, bis zum Grund seiner Zahnlücken</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>Des Rads, bis zu den Spitzen seiner Zähne</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Anderer Fuß</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Anderer Pfeiler</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Anderer Handlauf</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Andere Schwelle</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Andere Zehe</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Stifte</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>phase</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Pfeiler</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Ritzel</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>ritzel</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Ritzelzähne</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>ritzel_radius</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>ritzel_fuß</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>ritzel_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Rückenplatte</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>schild</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Rückenplatten</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>radius</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Handlauf</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Flossenstrahl</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Flossenstrahlen</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Hintere Rippe</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>rest</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Rippe</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Rippen</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>rippen</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Rechter Fuß</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Rechtes Blatt</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Rechte Seite</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Rechte Leiste</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Rechter Flügel</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Lochkranz</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>fuß</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>reihe</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>reihen</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Schrauben</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Sitz</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Ablage</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Größe der Zähne: Durchmesser geteilt durch ihre Anzahl</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Kleines Glas</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Rückgrat</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Löffel und Messer</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Schwanz</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>zähne</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Zähne des Ritzels</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>Dasselbe ohne ganze Zähne</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Drei Bretter</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>neigung</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Spant</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Spanten</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Zehe</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Stamm</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Wasserglas</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehung</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Zweig</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>drall</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Oberer Ring</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Obere Leiste</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Halswirbel</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Schwanzwirbel</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Wal</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>Wofür die Platte Platz hat</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Wo ein Zahn des Rads steht</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Breit</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>breite</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>breiten</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +14002,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Loads stay on for months</source>
         <translation>Lasten wirken monatelang</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Einfaches Fenster</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Zum Zeichnen, Prüfen und Exportieren; alles andere ist aus dem Weg.</translation>
     </message>
 </context>
 <context>
@@ -14785,10 +15681,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Werte</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Ein Wert hat einen Namen, den Zahlenfelder annehmen, auch in Rechnungen wie = 2*spalt.</translation>
-    </message>
-    <message>
         <source>New value</source>
         <translation>Neuer Wert</translation>
     </message>
@@ -14824,6 +15716,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>It is cut from %1.</source>
         <translation>Er wird aus %1 geschnitten.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Gib einer Zahl einen Namen: Jedes Feld kann ihn benutzen, auch in Rechnungen wie = 2*luft.</translation>
     </message>
 </context>
 <context>

@@ -3389,6 +3389,10 @@
         <source>There is no view before this one</source>
         <translation>No hay ninguna vista anterior a esta</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>La ventana sencilla no lo tiene; en Preferencias está la completa</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3743,6 +3747,26 @@
     <message>
         <source>Meeting point</source>
         <translation>Punto de encuentro</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>«%1» no es posible aquí: los números que siguen valores lo mantienen en %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>«%1» no es posible aquí: %2 sigue a «%3», que lo deja como está.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>«%1» no se puede calcular.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>«%1» está vacío, y eso aquí no es posible.</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6020,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>No se ha eliminado nada: una unión está donde se cruzan dos secciones. Elimina una de ellas o elige el tipo «Ninguna».</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>«%1» es ahora lo que está puesto, en lugar de lo que era.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6888,6 +6917,90 @@
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Mayús</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Supr</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Re Pág</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Av Pág</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retroceso</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abajo</translation>
     </message>
 </context>
 <context>
@@ -9003,6 +9116,10 @@
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: las ranuras no dejan nada de «%2».</translation>
     </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: dos columnas se llaman &quot;%2&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9518,7 +9635,7 @@
     </message>
     <message>
         <source>Slit that fitted</source>
-        <translation>Ranura que encajó</translation>
+        <translation>Ranura que encaja</translation>
     </message>
     <message>
         <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
@@ -10301,7 +10418,7 @@
     </message>
     <message>
         <source>Drawn by hand</source>
-        <translation>Dibujada a mano</translation>
+        <translation>Dibujado a mano</translation>
     </message>
     <message>
         <source>Moving one of its points makes it so</source>
@@ -12097,7 +12214,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Angle to it</source>
-        <translation>Ángulo con ella</translation>
+        <translation>Ángulo de unión</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -12423,6 +12540,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>horizontal</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>A lo largo de una costilla, de aro a aro</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>A lo largo de una costilla, hasta el aro inferior</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Arco</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>desvío</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>eje_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>eje_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Dorso</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Viga</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Vigas</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Costilla del vientre</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>entre</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Estante</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Estantes</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>estantes</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Rama</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>mayúscula</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celdas</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>columna</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Columnas</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>columnas</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Cuna</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>cuna</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Copete</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Cubiertos</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>fondo</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diámetro</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distancia</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Separador</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Separadores</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Orejas</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Base de atrás</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Bailarín de atrás</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Bailarín de atrás, inclinado</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Bailarines de atrás</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Abeto</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Abeto cruzado</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Pie</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Patas delanteras</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Tenedores y cucharillas</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Cuatro estantes</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>De eje a eje, en horizontal</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>De eje a eje, con algo de holgura</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>De pared a pared</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Pie delantero</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Patas delanteras</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Travesaño delantero</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Ola delantera</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Vaso de agua</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Asa</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeza</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altura</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Altura de las mayúsculas; un nombre largo tiene que ser más pequeño</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Altura de las cunas</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Altura del eje del piñón</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Altura del eje de la rueda</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Pie trasero</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Patas traseras</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Ola trasera</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Cadera</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Cuernos</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>Cuánto se desvía una costilla de su sitio de abajo al llegar al aro superior</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>Cuánto se inclina cada costilla</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>Cuánto más bajo queda el piñón, visto desde la rueda</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Ancho de la placa, en alturas de una mayúscula</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>Su ancho</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Frascos</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Última costilla</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Pata izquierda</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Hoja izquierda</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Lateral izquierdo</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Tira izquierda</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Ala izquierda</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Pata</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Patas</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>patas</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>letras</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Pie largo</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Aro inferior</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Listón inferior</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Base del medio</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Bailarín del medio</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Bailarín del medio, inclinado</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Bailarines del medio</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Costilla central</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>módulo</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Taza</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Hocico</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Placa con nombre</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Base del frente</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Bailarín del frente</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Bailarín del frente, inclinado</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Bailarines del frente</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Cuello</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>De una costilla, a lo largo</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>De los estantes, de punta a punta</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Del cajón, por dentro</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Del vaso</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>De la pared más alta</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Del piñón, desde un hueco hasta la rueda</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Del piñón, de igual modo</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>De los laterales</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>De los laterales; el copete queda más alto</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>De la rueda</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>De la rueda, hasta el fondo de sus huecos</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>De la rueda, hasta la punta de sus dientes</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Otro pie</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Otro pilar</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Otro pasamanos</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Otro lateral</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Otro larguero</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Otra puntera</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Bolígrafos</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>fase</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Pilar</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Piñón</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>piñón</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Dientes del piñón</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>radio_piñón</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>raíz_piñón</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>piñón_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Placa</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>placa</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Placas</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>radio</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Pasamanos</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Radio de aleta</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Radios de aleta</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Costilla trasera</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>resto</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Costilla</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Costillas</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>costillas</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Pata derecha</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Hoja derecha</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Lateral derecho</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Tira derecha</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Ala derecha</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Aro</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Corona de agujeros</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>raíz</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>fila</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Filas</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>filas</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Tornillos</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Asiento</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Bandeja</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Hombro</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lateral</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Laterales</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Larguero</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Tamaño de los dientes: el diámetro dividido entre cuántos hay</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Rebanadas</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Vaso pequeño</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Espinazo</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Cucharas y cuchillos</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Estrella</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Cola</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Dientes</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>dientes</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Dientes del piñón</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>Lo mismo sin los dientes enteros</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Tres estantes</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>inclinación</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Cuaderna</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Cuadernas</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Puntera</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Diente</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Tronco</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Vaso</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>giro</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Ramita</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torsión</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Aro superior</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Listón superior</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Vértebras del cuello</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Vértebras de la cola</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Pared</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Ballena</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>Lo que cabe en la plancha</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rueda</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Dónde está un diente de la rueda</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Ancha</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>ancho</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>anchos</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +14002,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Conservar la versión anterior al guardar</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Ventana sencilla</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Para dibujar, revisar y exportar; lo demás no estorba.</translation>
     </message>
 </context>
 <context>
@@ -14806,10 +15702,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>En este diseño no hay nada que adaptar.</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Un valor tiene un nombre que aceptan los campos numéricos, también en cálculos como = 2*hueco.</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>Editar el diseño</translation>
     </message>
@@ -14824,6 +15716,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Quien abra el modelo guardado verá la vista, los valores mostrados y Exportar, y nada más.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Ponle nombre a un número: cualquier campo puede usarlo, también en cuentas como = 2*hueco.</translation>
     </message>
 </context>
 <context>

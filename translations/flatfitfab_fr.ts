@@ -3389,6 +3389,10 @@
         <source>There is no view before this one</source>
         <translation>Il n’y a pas de vue avant celle-ci</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>La fenêtre simple s’en passe ; les Préférences ramènent la fenêtre complète</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3743,6 +3747,26 @@
     <message>
         <source>Meeting point</source>
         <translation>Point de rencontre</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>« %1 » n’est pas possible ici : des nombres liés à des valeurs le maintiennent à %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>« %1 » n’est pas possible ici : %2 suit « %3 », qui le garde tel quel.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>« %1 » ne peut pas être calculé.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>« %1 » est vide, ce qui n’est pas possible ici.</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6020,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Rien n’a été supprimé&#xa0;: un assemblage est là où deux sections se rencontrent. Supprimez l’une d’elles, ou choisissez le type «&#x202f;Aucun&#x202f;».</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>« %1 » contient maintenant les réglages actuels, à la place des anciens.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6888,6 +6917,90 @@
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Méta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page préc.</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page suiv.</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
     </message>
 </context>
 <context>
@@ -9003,6 +9116,10 @@
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1&#xa0;: les fentes ne laissent rien de «&#x202f;%2&#x202f;».</translation>
     </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1 : deux colonnes s’appellent &quot;%2&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9518,7 +9635,7 @@
     </message>
     <message>
         <source>Slit that fitted</source>
-        <translation>Fente qui va bien</translation>
+        <translation>Fente qui convient</translation>
     </message>
     <message>
         <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
@@ -12097,7 +12214,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Angle to it</source>
-        <translation>Angle avec elle</translation>
+        <translation>Angle d’assemblage</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -12423,6 +12540,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>horizontal</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>Le long d’une nervure, d’un anneau à l’autre</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>Le long d’une nervure, jusqu’à l’anneau du bas</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Arche</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>décalage</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>axe_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>axe_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Dos</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Traverse</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Traverses</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Nervure du ventre</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>entre</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tablette</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Tablettes</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>tablettes</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>majuscule</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cases</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>colonne</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>colonnes</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Berceau</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>berceau</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Fronton</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Couverts</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profondeur</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diamètre</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>entraxe</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Cloison</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Cloisons</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Oreilles</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Socle du fond</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Danseur du fond</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Danseur du fond, penché</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Danseurs du fond</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Sapin</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Sapin en travers</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Fond</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Pied</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Pattes avant</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Fourchettes et petites cuillères</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Quatre tablettes</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>D’axe en axe, à l’horizontale</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>D’axe en axe, avec un peu de jeu</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>D’une paroi à l’autre</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Pied avant</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Pattes avant</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Traverse avant</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Vague avant</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Verre d’eau</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Poignée</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Tête</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>hauteur</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Hauteur des majuscules&#x202f;; un nom long doit être plus petit</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Hauteur des berceaux</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Hauteur de l’axe du pignon</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Hauteur de l’axe de la roue</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Pied arrière</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Pattes arrière</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Vague arrière</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Hanche</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Mandibules</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>Décalage d’une nervure à l’anneau du haut, par rapport à sa place en bas</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>De combien chaque nervure penche</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>De combien le pignon est plus bas, vu de la roue</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Largeur de la plaque, en hauteurs de majuscule</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>Sa largeur</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Pots à épices</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Dernière nervure</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Patte gauche</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Feuille gauche</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Côté gauche</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Bande gauche</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Aile gauche</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Patte</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Pattes</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>pattes</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>lettres</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Pied long</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>bas</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Anneau du bas</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Latte du bas</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Milieu</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Socle du milieu</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Danseur du milieu</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Danseur du milieu, penché</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Danseurs du milieu</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Nervure du milieu</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>module</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Mug</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Museau</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nom</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Plaque nominative</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Socle de devant</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Danseur de devant</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Danseur de devant, penché</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Danseurs de devant</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Cou</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>D’une nervure, dans sa longueur</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>Des tablettes, d’un bout à l’autre</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Du tiroir, à l’intérieur</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Du verre</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>De la paroi la plus haute</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Du pignon, depuis un creux face à la roue</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Du pignon, de même</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>Des côtés</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>Des côtés&#x202f;; le fronton monte plus haut</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>De la roue</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>De la roue, jusqu’au fond de ses creux</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>De la roue, jusqu’à la pointe de ses dents</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Autre pied</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Autre pile</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Autre main courante</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Autre semelle</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Autre orteil</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Stylos</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>phase</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Pile</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Pignon</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>pignon</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Dents du pignon</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>pignon_rayon</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>pignon_pied</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>pignon_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Plaque dorsale</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>plaque</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Plaques dorsales</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Main courante</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Rayon de nageoire</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Rayons de nageoire</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Nervure arrière</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>reste</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Nervure</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Nervures</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>nervures</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Patte droite</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Feuille droite</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Côté droit</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Bande droite</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Aile droite</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anneau</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Couronne de trous</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>pied</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>rangée</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rangées</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>rangées</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Assise</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Tablette</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Épaule</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Côtés</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Semelle</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Taille des dents&#xa0;: le diamètre divisé par leur nombre</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Tranches</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Petit verre</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Épine dorsale</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Cuillères et couteaux</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Étoile</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Soleil</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Queue</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Dents</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>dents</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Dents du pignon</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>La même chose, sans les dents entières</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Trois tablettes</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>inclinaison</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Membrure</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Membrures</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Orteil</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Dent</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Tronc</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Gobelet</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Rameau</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torsion</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Anneau du haut</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Latte du haut</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Vertèbres du cou</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Vertèbres de la queue</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Paroi</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Baleine</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>Ce qui tient sur une plaque de matériau</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Roue</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Où se trouve une dent de la roue</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Large</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>largeur</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>largeurs</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +14002,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Garder la version précédente à l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Fenêtre simple</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Pour dessiner, vérifier et exporter ; tout le reste disparaît.</translation>
     </message>
 </context>
 <context>
@@ -14806,10 +15702,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Il n’y a rien à régler dans cette conception.</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Une valeur a un nom que les champs numériques acceptent, aussi dans des calculs comme = 2*ecart.</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>Modifier la conception</translation>
     </message>
@@ -14824,6 +15716,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Qui ouvre le modèle enregistré voit la vue, les valeurs affichées et l’export, et rien d’autre.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Donnez un nom à un nombre : chaque champ peut l’utiliser, aussi dans des calculs comme = 2*jeu.</translation>
     </message>
 </context>
 <context>

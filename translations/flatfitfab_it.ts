@@ -3389,6 +3389,10 @@
         <source>There is no view before this one</source>
         <translation>Non c’è nessuna vista precedente</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>La finestra semplice ne fa a meno; nelle Impostazioni c’è quella completa</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3743,6 +3747,26 @@
     <message>
         <source>Meeting point</source>
         <translation>Punto d’incontro</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>«%1» qui non è possibile: i numeri che seguono valori lo tengono a %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>«%1» qui non è possibile: %2 segue «%3», che lo tiene com’è.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>«%1» non si può calcolare.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>«%1» è vuoto, e qui non è possibile.</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6020,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Nulla di eliminato: un incastro è il punto in cui due sezioni si incontrano. Elimina una delle due o scegli il tipo “Nessuno”.</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>«%1» ora è ciò che è impostato, al posto di ciò che era.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6888,6 +6917,90 @@
     <message>
         <source>Cancel</source>
         <translation>Annulla</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maiusc</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fine</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Canc</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Pag su</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Pag giù</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Invio</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Invio</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spazio</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Sinistra</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Destra</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Su</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Giù</translation>
     </message>
 </context>
 <context>
@@ -9002,6 +9115,10 @@
     <message>
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: le fessure non lasciano nulla di “%2”.</translation>
+    </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: due colonne si chiamano &quot;%2&quot;.</translation>
     </message>
 </context>
 <context>
@@ -12097,7 +12214,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Angle to it</source>
-        <translation>Angolo con essa</translation>
+        <translation>Angolo d’incastro</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -12423,6 +12540,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Annulla</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>orizzontale</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>Lungo una costola, da anello ad anello</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>Lungo una costola, fino all’anello inferiore</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Arco</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>scarto</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>asse_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>asse_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Dorso</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Trave</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Travi</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Costola della pancia</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>tra</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Ripiano</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Ripiani</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>ripiani</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corpo</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ramificazione</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>maiuscola</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Celle</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>colonna</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonne</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>colonne</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Culla</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>culla</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Cimasa</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Posate</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profondità</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diametro</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>interasse</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Divisorio</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Divisori</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Orecchie</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Base lontana</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Ballerino lontano</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Ballerino lontano, inclinato</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Ballerini lontani</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Abete</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Abete di traverso</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Piede</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Zampe anteriori</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Forchette e cucchiaini</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Quattro ripiani</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>Da asse ad asse, in orizzontale</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>Da asse ad asse, con un po’ di gioco</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>Da parete a parete</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Davanti</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Piede anteriore</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Zampe anteriori</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Traversa anteriore</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Onda anteriore</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Bicchiere d’acqua</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Maniglia</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Testa</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altezza</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Altezza delle maiuscole; un nome lungo va scritto più piccolo</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Altezza delle culle</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Altezza dell’asse del pignone</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Altezza dell’asse della ruota</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Piede posteriore</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Zampe posteriori</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Onda posteriore</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Anca</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Corna</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>Di quanto una costola incontra l’anello superiore più di lato rispetto a sotto</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>Quanto si inclina ogni costola</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>Quanto sta più in basso il pignone, visto dalla ruota</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Quanto è larga la targhetta, in altezze di una maiuscola</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>La sua larghezza</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Barattoli</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Ultima costola</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Zampa sinistra</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Foglia sinistra</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Fianco sinistro</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Listello sinistro</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Ala sinistra</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Gamba</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Gambe</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>gambe</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>lettere</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Piede lungo</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>sotto</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Anello inferiore</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Stecca inferiore</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Base centrale</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Ballerino centrale</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Ballerino centrale, inclinato</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Ballerini centrali</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Costola centrale</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>modulo</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Tazza</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Muso</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nome</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Targhetta</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Base vicina</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Ballerino vicino</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Ballerino vicino, inclinato</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Ballerini vicini</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Collo</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>Di una costola, nel senso della lunghezza</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>Dei ripiani, da un’estremità all’altra</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Del cassetto, all’interno</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Del bicchiere</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>Della parete più alta</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Del pignone, a partire da un vano rivolto verso la ruota</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Del pignone, allo stesso modo</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>Dei fianchi</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>Dei fianchi; la cimasa arriva più in alto</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>Della ruota</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>Della ruota, fino al fondo dei vani</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>Della ruota, fino alla punta dei denti</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Altro piede</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Altro pilone</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Altro corrimano</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Altro fianco</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Altra traversa</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Altro appoggio</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Penne</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>fase</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Pilone</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Pignone</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>pignone</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Denti del pignone</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>raggio_pignone</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>fondo_pignone</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>pignone_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Placca</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>targhetta</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Placche</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>raggio</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Corrimano</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Raggio</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Raggi</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Costola posteriore</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>resto</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Costola</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Costole</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>costole</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Zampa destra</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Foglia destra</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Fianco destro</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Listello destro</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Ala destra</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anello</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Corona di fori</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>fondo</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>fila</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>file</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Viti</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Seduta</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Ripiano</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Spalla</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Fianco</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Fianchi</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Traversa</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Misura dei denti: il diametro diviso per il loro numero</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Fette</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Bicchiere piccolo</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Spina dorsale</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Cucchiai e coltelli</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stella</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sole</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Coda</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Denti</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>denti</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Denti del pignone</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>Lo stesso, senza i denti interi</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Tre ripiani</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>inclinazione</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Centina</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Centine</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Appoggio</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Dente</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Tronco</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Bicchiere da acqua</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>rotazione</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Rametto</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torsione</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Anello superiore</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Stecca superiore</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Vertebre del collo</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Vertebre della coda</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Parete</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Balena</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>Quanto ci sta sulla lastra</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Ruota</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Dove si trova un dente della ruota</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Largo</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>larghezza</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>larghezze</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +14002,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Conserva la versione precedente quando salvi</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Finestra semplice</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Per disegnare, controllare ed esportare; tutto il resto non c’è.</translation>
     </message>
 </context>
 <context>
@@ -14806,10 +15702,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>In questo progetto non c’è nulla da adattare.</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Un valore ha un nome che si può usare nei campi numerici, anche in calcoli come = 2*gioco.</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>Modifica il progetto</translation>
     </message>
@@ -14824,6 +15716,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Chi apre il modello salvato vede la vista, i valori mostrati ed Esporta, e nient’altro.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Dai un nome a un numero: ogni campo può usarlo, anche in calcoli come = 2*spazio.</translation>
     </message>
 </context>
 <context>

@@ -3362,6 +3362,10 @@
         <source>There is no view before this one</source>
         <translation>これより前のビューはありません</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>シンプルなウィンドウにはありません。「設定」ですべて表示できます</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3715,6 +3719,26 @@
     <message>
         <source>Meeting point</source>
         <translation>合わせ位置</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>「%1」はここでは使えません。変数に従う数値により %2 のままです。</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>「%1」はここでは使えません。%2 が「%3」に従っているため変わりません。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>「%1」は計算できません。</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>「%1」は空です。ここでは空にできません。</translation>
     </message>
 </context>
 <context>
@@ -5948,6 +5972,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>削除していません: 接合部は 2 枚の板が交わるところです。どちらかの板を削除するか、種類を「なし」にしてください。</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>「%1」は以前の内容に代わって、今の設定になりました。</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6828,6 +6857,90 @@
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>スペース</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>←</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>→</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>↑</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>↓</translation>
     </message>
 </context>
 <context>
@@ -8907,6 +9020,10 @@
     <message>
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: 「%2」はスリットで切ると何も残りません。</translation>
+    </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: &quot;%2&quot; という名前の列が 2 つあります。</translation>
     </message>
 </context>
 <context>
@@ -12315,6 +12432,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>水平距離</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>リブに沿って、リングからリングまで</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>リブに沿って、下のリングまで</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>アーチ</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>横ずれ</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>軸_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>軸_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>背面</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>横桁</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>横桁の並び</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>腹のリブ</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>リング間</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>棚板</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>棚板の並び</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>棚板数</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>胴体</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>枝</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>大文字高</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>セル</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>列間隔</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>列数</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>受け台</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>受け台高</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>飾り板</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>カトラリー</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>奥行き</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>軸間距離</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>仕切り</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>仕切りの並び</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>耳</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>奥の台</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>奥の踊り手</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>奥の傾いた踊り手</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>奥の踊り手たち</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>モミの木</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>交差するモミの木</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>底板</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>足</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>前脚</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>フォークとティースプーン</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>棚板四枚</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>軸から軸までの水平距離</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>軸から軸まで（少し遊びあり）</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>壁板から壁板まで</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>前の足</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>前脚</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>前の横木</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>前の波</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>コップの水</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>取っ手</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>頭</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>大文字の高さ（長い名前では小さく）</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>受け台の高さ</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>小歯車の軸の高さ</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>大歯車の軸の高さ</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>後ろの足</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>後ろ脚</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>後ろの波</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>腰</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>大あご</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>リブが上のリングと交わる位置の、下の位置からの横ずれ</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>各リブの傾き</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>大歯車から見て、小歯車がどれだけ低いか</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>札の幅が大文字の高さの何倍か</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>札の幅</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>スパイス瓶</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>最後のリブ</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>左足</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>左の葉</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左の側板</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>左の帯板</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>左の翼</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>脚</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>脚の並び</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>脚数</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>文字高</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>長い足</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>リング下</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>下のリング</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>下の背もたれ</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>中央の台</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>中央の踊り手</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>中央の傾いた踊り手</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>中央の踊り手たち</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>中央のリブ</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>マグカップ</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>鼻先</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>名札</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>手前の台</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>手前の踊り手</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>手前の傾いた踊り手</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>手前の踊り手たち</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>首</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>リブに沿って測った高さ</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>棚板の端から端まで</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>引き出しの内寸</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>グラスの直径</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>いちばん高い壁板の高さ</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>歯の谷が大歯車を向く位置からの、小歯車の回転</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>小歯車も同様</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>側板の奥行き</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>側板の高さ（飾り板はもっと高い）</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>大歯車の値</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>大歯車の中心から歯底まで</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>大歯車の中心から歯先まで</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>反対側の足</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>反対側の橋脚</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>反対側の手すり</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>反対側の側板</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>反対側の土台</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>反対側のつま先</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>回転位置</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>橋脚</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>小歯車</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>小歯車歯数</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>小歯車の歯</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>小歯車半径</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>小歯車歯底半径</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>小歯車_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>背板</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>札幅</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>背板の並び</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>手すり</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>ひれの骨</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>ひれの骨の並び</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>後ろのリブ</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>余り</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>リブ</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>リブの並び</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>リブ数</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>右足</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>右の葉</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右の側板</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>右の帯板</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>右の翼</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>リング</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>輪に並んだ穴</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>歯底半径</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>行間隔</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>ねじ</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>座面</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>棚板</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>側板</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>側板の並び</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>土台</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>歯の大きさ: 直径 ÷ 歯数</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>スライス</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>小さめのグラス</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>背骨</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>スプーンとナイフ</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>星形</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>太陽</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>尾</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>歯列</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>歯数</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>小歯車の歯の数</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>同じ回転から、歯の整数枚分を除いた残り</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>棚板三枚</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>傾斜角</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>支え材</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>支え材の並び</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>つま先</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>幹</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>タンブラー</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>回転角</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>小枝</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>ひねり</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>上のリング</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>上の背もたれ</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>首の骨</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>尾の骨</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁板</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>クジラ</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>シートに収まる高さ</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>大歯車</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>大歯車の歯がある位置</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>幅広</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>幅比</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Samples</name>
     <message>
         <source>Fish</source>
@@ -13003,6 +13891,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>保存するときに前の版を残す</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>シンプルなウィンドウ</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>描く、チェックする、書き出すためだけの表示です。ほかは隠れます。</translation>
     </message>
 </context>
 <context>
@@ -14671,10 +15567,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>この設計に調整できるものはありません。</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>変数の名前は数値の欄で使えます。= 2*すき間 のような式にも使えます。</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>設計を編集</translation>
     </message>
@@ -14689,6 +15581,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>保存したモデルを開いた人には、ビュー、公開された変数、書き出しだけが見えます。</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>数値に名前を付けると、どの入力欄でも使えます。= 2*すき間 のような計算にも使えます。</translation>
     </message>
 </context>
 <context>

@@ -3389,6 +3389,10 @@
         <source>There is no view before this one</source>
         <translation>Er is geen vorig beeld</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>Het eenvoudige venster doet het zonder; bij Instellingen zit het hele</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3743,6 +3747,26 @@
     <message>
         <source>Meeting point</source>
         <translation>Trefpunt</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>‘%1’ kan hier niet: getallen die waarden volgen houden het op %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>‘%1’ kan hier niet: %2 volgt ‘%3’, en dat houdt het zoals het is.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>‘%1’ kan niet worden uitgerekend.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>‘%1’ is leeg, en dat kan hier niet.</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6020,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Niets verwijderd: een verbinding is waar twee secties samenkomen. Verwijder een van de twee, of kies de soort “Geen”.</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>‘%1’ is nu wat is ingesteld, in plaats van wat het was.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6888,6 +6917,90 @@
     <message>
         <source>Cancel</source>
         <translation>Annuleren</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>PgUp</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDn</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spatie</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Omhoog</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Omlaag</translation>
     </message>
 </context>
 <context>
@@ -9003,6 +9116,10 @@
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: sleuven laten niets over van “%2”.</translation>
     </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: twee kolommen heten &quot;%2&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9518,7 +9635,7 @@
     </message>
     <message>
         <source>Slit that fitted</source>
-        <translation>Sleuf die paste</translation>
+        <translation>Passende sleuf</translation>
     </message>
     <message>
         <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
@@ -10033,7 +10150,7 @@
     </message>
     <message>
         <source>Any laser</source>
-        <translation>Elke laser</translation>
+        <translation>Willekeurige laser</translation>
     </message>
     <message>
         <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
@@ -12097,7 +12214,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Angle to it</source>
-        <translation>Hoek ermee</translation>
+        <translation>Hoek daarmee</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -12423,6 +12540,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Annuleren</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>horizontaal</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>Langs een rib, van ring tot ring</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>Langs een rib, tot de onderste ring</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Boog</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>opzij</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>as_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>as_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Rug</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Balk</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Balken</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Buikrib</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>tussen</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Plank</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Planken</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>planken</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Lijf</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Vertakking</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>hoofdletter</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Cellen</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>kolom</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolommen</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>kolommen</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Steun</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>steun</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Kuif</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Bestek</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>diepte</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diameter</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>hartafstand</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Tussenschot</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Tussenschotten</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Oren</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Achterste basis</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Achterste danser</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Achterste danser, voorover</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Achterste dansers</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Den</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Den, dwars</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Bodem</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Voet</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Voorpoten</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Vorken en theelepels</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Vier planken</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>Van as tot as, waterpas gemeten</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>Van as tot as, met wat speling</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>Van wand tot wand</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Voorkant</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Voorste voet</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Voorpoten</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Voorregel</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Voorste golf</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Glas water</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Greep</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kop</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>hoogte</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Hoogte van de hoofdletters; een lange naam moet kleiner</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Hoogte van de steunen</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Hoogte van de as van het rondsel</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Hoogte van de as van het wiel</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Achterste voet</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Achterpoten</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Achterste golf</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Heup</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Gewei</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>Hoe ver een rib de bovenste ring opzij van zijn plek onderaan raakt</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>Hoe scheef elke rib staat</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>Hoeveel lager het rondsel zit, gezien vanaf het wiel</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Hoe breed het bordje is, in hoogtes van een hoofdletter</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>De breedte ervan</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Potjes</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Laatste rib</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Linkerpoot</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Linkerblad</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Linkerzijkant</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Linkerstrook</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Linkervleugel</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Poot</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Poten</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>poten</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>letters</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Lange voet</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>onder</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Onderste ring</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Onderste lat</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Midden</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Middelste basis</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Middelste danser</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Middelste danser, voorover</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Middelste dansers</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Middelste rib</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>moduul</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Mok</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Snuit</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>naam</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Naambordje</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Voorste basis</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Voorste danser</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Voorste danser, voorover</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Voorste dansers</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Nek</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>Van een rib, in de lengte gemeten</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>Van de planken, van eind tot eind</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Van de lade, binnenwerks</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Van het glas</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>Van de hoogste wand</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Van het rondsel, vanaf een tandholte die naar het wiel wijst</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Van het rondsel, net zo</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>Van de zijkanten</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>Van de zijkanten; de kuif steekt erboven uit</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>Van het wiel</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>Van het wiel, tot de bodem van de tandholtes</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>Van het wiel, tot de toppen van de tanden</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Andere voet</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Andere pijler</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Andere leuning</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere zijkant</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Andere onderligger</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Andere teen</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Pennen</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>fase</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Pijler</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Rondsel</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>rondsel</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Rondseltanden</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>straal_rondsel</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>voetstraal_rondsel</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>rondsel_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Schild</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>bordje</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Schilden</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>straal</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Leuning</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Vinstraal</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Vinstralen</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Achterste rib</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>rest</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Rib</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Ribben</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>ribben</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Rechterpoot</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Rechterblad</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Rechterzijkant</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Rechterstrook</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Rechtervleugel</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Gatenring</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>voetstraal</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>rij</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rijen</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>rijen</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Schroeven</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Zitting</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Blad</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schouder</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Zijkant</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Zijkanten</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Onderligger</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Maat van de tanden: de diameter gedeeld door hun aantal</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schijven</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Klein glas</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Ruggengraat</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Lepels en messen</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Ster</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Zon</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Staart</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Tanden</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>tanden</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Tanden van het rondsel</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>Hetzelfde, zonder hele tanden</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Drie planken</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>helling</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Spant</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Spanten</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Teen</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Tand</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Stam</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Drinkglas</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>draaiing</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Takje</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torsie</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Bovenste ring</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Bovenste lat</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Nekwervels</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Staartwervels</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Walvis</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>Wat er op de plaat past</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Wiel</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Waar een tand van het wiel zit</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Breed</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>breedte</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>breedtes</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +14002,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Bij opslaan de vorige versie bewaren</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Eenvoudig venster</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Om te tekenen, te controleren en te exporteren; de rest is uit de weg.</translation>
     </message>
 </context>
 <context>
@@ -14806,10 +15702,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>In dit ontwerp valt niets aan te passen.</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Een waarde heeft een naam die je in getalvelden kunt gebruiken, ook in sommen zoals = 2*spleet.</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>Ontwerp bewerken</translation>
     </message>
@@ -14824,6 +15716,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Wie het opgeslagen model opent, ziet het beeld, de getoonde waarden en Exporteren, en verder niets.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Geef een getal een naam: elk veld kan die gebruiken, ook in sommen zoals = 2*speling.</translation>
     </message>
 </context>
 <context>

@@ -3416,6 +3416,10 @@
         <source>There is no view before this one</source>
         <translation>Nie ma poprzedniego widoku</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>Proste okno obywa się bez tego; pełne jest w Ustawieniach</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3771,6 +3775,26 @@
     <message>
         <source>Meeting point</source>
         <translation>Punkt styku</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>„%1” nie jest tu możliwe: liczby zależne od parametrów utrzymują %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>„%1” nie jest tu możliwe: %2 zależy od „%3” i pozostaje bez zmian.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>Nie można obliczyć „%1”.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>„%1” jest puste, a tu nie może być.</translation>
     </message>
 </context>
 <context>
@@ -6044,6 +6068,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Nic nie usunięto: połączenie jest tam, gdzie spotykają się dwie płytki. Usuń jedną z nich albo wybierz rodzaj „Brak”.</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>„%1” to teraz bieżące ustawienia zamiast poprzednich.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6948,6 +6977,90 @@
     <message>
         <source>Cancel</source>
         <translation>Anuluj</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spacja</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Lewo</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Prawo</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Góra</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Dół</translation>
     </message>
 </context>
 <context>
@@ -9097,6 +9210,10 @@
     <message>
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: szczeliny nic nie zostawiają z „%2”.</translation>
+    </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: dwie kolumny nazywają się &quot;%2&quot;.</translation>
     </message>
 </context>
 <context>
@@ -12537,6 +12654,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>poziomo</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>Wzdłuż żebra od pierścienia do pierścienia</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>Wzdłuż żebra do dolnego pierścienia</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Łuk</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>w_bok</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>oś_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>oś_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Plecy</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Belka</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Belki</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Żebro brzuszne</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>między</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Półka</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Półki</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>półki</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Tułów</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Gałąź</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>wielka_litera</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Komórki</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>kolumna</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolumny</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>kolumny</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Podpórka</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>podpórka</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Zwieńczenie</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Sztućce</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>głębokość</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>średnica</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>rozstaw</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Przegródka</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Przegródki</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Uszy</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Dalsza podstawa</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Dalszy tancerz</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Dalszy tancerz, pochylony</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Dalsi tancerze</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Jodła</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Jodła w poprzek</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Dno</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Stopka</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Przednie łapy</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Widelce i łyżeczki</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Cztery półki</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>Od osi do osi, w poziomie</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>Od osi do osi, z odrobiną luzu</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>Od ścianki do ścianki</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Przód</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Przednia stopka</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Przednie łapy</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Przednia poprzeczka</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Przednia fala</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Szklanka wody</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Uchwyt</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Głowa</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>wysokość</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Wysokość wielkich liter; długie imię musi być mniejsze</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Wysokość podpórek</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Wysokość osi zębnika</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Wysokość osi dużego koła</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Tylna stopka</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Tylne łapy</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Tylna fala</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Biodro</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Rogi</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>O ile w bok od swojego miejsca na dole żebro dochodzi do górnego pierścienia</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>Jak mocno pochyla się każde żebro</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>O ile niżej leży zębnik, patrząc od dużego koła</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Szerokość tabliczki liczona w wysokościach wielkiej litery</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>Jej szerokość</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Słoiki</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Ostatnie żebro</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Lewa stopka</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Lewy liść</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Lewy bok</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Lewa listwa</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Lewe skrzydło</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Noga</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Nogi</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>nogi</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>litery</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Długa stopka</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>dolny</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Dolny pierścień</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Dolna listwa</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Środek</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Środkowa podstawa</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Środkowy tancerz</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Środkowy tancerz, pochylony</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Środkowi tancerze</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Środkowe żebro</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>moduł</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Kubek</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Pysk</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>imię</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Tabliczka z imieniem</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Bliższa podstawa</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Bliższy tancerz</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Bliższy tancerz, pochylony</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Bliżsi tancerze</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Szyja</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>Żebra, mierzona wzdłuż niego</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>Półek, od końca do końca</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Szuflady, wewnątrz</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Szklanki</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>Najwyższej ścianki</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Zębnika, od ustawienia wrębem do dużego koła</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Zębnika, tak samo</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>Boków</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>Boków; zwieńczenie sięga wyżej</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>Dużego koła</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>Dużego koła, do dna wrębów</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>Dużego koła, do wierzchołków zębów</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Druga stopka</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Drugi filar</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Druga poręcz</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Drugi bok</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Druga podwalina</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Drugi palec</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Długopisy</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>faza</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Filar</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Zębnik</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>zębnik</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Zęby zębnika</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>promień_zębnika</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>dno_zębnika</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>zębnik_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Płyta</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>tabliczka</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Płyty</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>promień</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Poręcz</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Promień płetwy</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Promienie płetwy</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Tylne żebro</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>reszta</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Żebro</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Żebra</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>żebra</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Prawa stopka</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Prawy liść</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Prawy bok</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Prawa listwa</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Prawe skrzydło</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Pierścień</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Krąg otworów</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>dno</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>rząd</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rzędy</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>rzędy</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Śrubki</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Siedzisko</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Półka</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Bark</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Bok</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Boki</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Podwalina</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Wielkość zębów: średnica podzielona przez ich liczbę</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Plastry</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Mała szklanka</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Kręgosłup</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Łyżki i noże</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Gwiazda</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Słońce</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Ogon</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zęby</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>zęby</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Zęby zębnika</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>To samo bez całych zębów</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Trzy półki</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>nachylenie</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Kantówka</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Kantówki</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Palec</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Ząb</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Pień</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Szklanka</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>obrót</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Gałązka</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>skręt</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Górny pierścień</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Górna listwa</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Kręgi szyi</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Kręgi ogona</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Ścianka</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Wieloryb</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>Ile zmieści się na arkuszu</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Duże koło</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Położenie zęba dużego koła</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Szeroki</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>szerokość</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>krotność</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Samples</name>
     <message>
         <source>Fish</source>
@@ -13225,6 +14113,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Przy zapisie zachowuj poprzednią wersję</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Proste okno</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Do rysowania, sprawdzania i eksportu; reszta nie przeszkadza.</translation>
     </message>
 </context>
 <context>
@@ -14941,10 +15837,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>W tym projekcie nie ma nic do dopasowania.</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Wartość ma nazwę, którą przyjmują pola liczbowe, także w działaniach takich jak = 2*luz.</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>Edytuj projekt</translation>
     </message>
@@ -14959,6 +15851,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Kto otworzy zapisany model, zobaczy widok, pokazane wartości i eksport, i nic więcej.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Nadaj liczbie nazwę: użyje jej każde pole, także w działaniach, np. = 2*luz.</translation>
     </message>
 </context>
 <context>

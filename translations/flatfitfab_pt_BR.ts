@@ -3389,6 +3389,10 @@
         <source>There is no view before this one</source>
         <translation>Não há vista antes desta</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>A janela simples não tem isto; nas Configurações está a completa</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3743,6 +3747,26 @@
     <message>
         <source>Meeting point</source>
         <translation>Ponto de encontro</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>“%1” não é possível aqui: números que seguem valores mantêm isso em %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>“%1” não é possível aqui: %2 segue “%3”, que mantém tudo como está.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>“%1” não pode ser calculado.</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>“%1” está vazio, e isso não é possível aqui.</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6020,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Nada excluído: um encaixe é onde duas seções se encontram. Exclua uma delas ou escolha o tipo “Nenhum”.</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>“%1” agora é o que está definido, no lugar do que era.</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6888,6 +6917,90 @@
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espaço</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Acima</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abaixo</translation>
     </message>
 </context>
 <context>
@@ -9003,6 +9116,10 @@
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: as fendas não deixam nada de “%2”.</translation>
     </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1: duas colunas se chamam &quot;%2&quot;.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9518,7 +9635,7 @@
     </message>
     <message>
         <source>Slit that fitted</source>
-        <translation>Fenda que serviu</translation>
+        <translation>Fenda adequada</translation>
     </message>
     <message>
         <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
@@ -12097,7 +12214,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Angle to it</source>
-        <translation>Ângulo com ela</translation>
+        <translation>Ângulo de encaixe</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -12423,6 +12540,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>horizontal</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>Ao longo de uma costela, de anel a anel</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>Ao longo de uma costela, até o anel inferior</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>Arco</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>desvio</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>eixo_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>eixo_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Costas</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>Viga</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>Vigas</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>Costela da barriga</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>entre</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Prateleira</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Prateleiras</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>prateleiras</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corpo</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ramificação</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>maiúscula</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Células</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>coluna</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colunas</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>colunas</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>Berço</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>berço</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>Frontão</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>Talheres</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>profundidade</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diâmetro</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distância</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Divisória</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>Divisórias</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>Orelhas</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>Base de trás</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>Dançarino de trás</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>Dançarino de trás, inclinado</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>Dançarinos de trás</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Pinheiro</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>Pinheiro cruzado</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Fundo</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Pé</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>Patas dianteiras</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>Garfos e colheres de chá</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>Quatro prateleiras</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>De eixo a eixo, na horizontal</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>De eixo a eixo, com um pouco de folga</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>De parede a parede</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>Pé dianteiro</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>Patas dianteiras</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>Travessa dianteira</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>Onda da frente</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>Copo d’água</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Alça</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeça</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altura</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>Altura das maiúsculas; um nome comprido precisa ser menor</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>Altura dos berços</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>Altura do eixo do pinhão</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>Altura do eixo da roda</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>Pé traseiro</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>Patas traseiras</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>Onda de trás</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>Quadril</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>Chifres</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>Quanto uma costela se desvia do seu lugar embaixo ao chegar ao anel superior</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>Quanto cada costela se inclina</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>Quanto o pinhão fica mais baixo, visto da roda</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>Largura da placa, em alturas de uma maiúscula</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>Sua largura</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>Potes</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>Última costela</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Pata esquerda</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>Folha esquerda</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Lateral esquerda</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>Tira esquerda</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>Asa esquerda</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Perna</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>Pernas</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>pernas</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>letras</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>Pé comprido</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>abaixo</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>Anel inferior</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>Ripa inferior</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Meio</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>Base do meio</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>Dançarino do meio</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>Dançarino do meio, inclinado</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>Dançarinos do meio</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>Costela central</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>módulo</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>Caneca</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>Focinho</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nome</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>Placa com nome</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>Base da frente</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>Dançarino da frente</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>Dançarino da frente, inclinado</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>Dançarinos da frente</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Pescoço</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>De uma costela, ao longo dela</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>Das prateleiras, de ponta a ponta</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>Da gaveta, por dentro</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>Do copo</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>Da parede mais alta</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>Do pinhão, de um vão até a roda</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>Do pinhão, da mesma forma</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>Das laterais</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>Das laterais; o frontão fica mais alto</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>Da roda</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>Da roda, até o fundo dos vãos</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>Da roda, até a ponta dos dentes</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>Outro pé</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>Outro pilar</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>Outro corrimão</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Outra lateral</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>Outra longarina</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>Outra ponta do pé</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>Canetas</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>fase</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>Pilar</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>Pinhão</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>pinhão</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>Dentes do pinhão</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>raio_pinhão</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>raiz_pinhão</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>pinhão_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Placa</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>placa</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Placas</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>raio</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>Corrimão</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Raio da nadadeira</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Raios da nadadeira</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>Costela traseira</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>resto</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>Costela</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>Costelas</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>costelas</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Pata direita</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>Folha direita</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Lateral direita</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>Tira direita</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>Asa direita</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anel</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>Anel de furos</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>raiz</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>fileira</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Fileiras</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>fileiras</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>Parafusos</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>Assento</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>Bandeja</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Ombro</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lateral</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Laterais</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>Longarina</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>Tamanho dos dentes: o diâmetro dividido pelo número deles</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Fatias</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>Copo pequeno</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Espinha dorsal</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>Colheres e facas</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Estrela</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Cauda</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Dentes</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>dentes</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>Dentes do pinhão</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>O mesmo sem os dentes inteiros</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>Três prateleiras</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>inclinação</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>Travessa</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>Travessas</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>Ponta do pé</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Dente</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Tronco</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>Copo</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>giro</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>Raminho</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>torção</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>Anel superior</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>Ripa superior</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>Vértebras do pescoço</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>Vértebras da cauda</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Parede</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>Baleia</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>O que cabe na chapa</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Roda</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>Onde fica um dente da roda</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>Larga</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>largura</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>larguras</translation>
     </message>
 </context>
 <context>
@@ -13114,6 +14002,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>Manter a versão anterior ao salvar</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>Janela simples</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>Para desenhar, verificar e exportar; o resto sai da frente.</translation>
     </message>
 </context>
 <context>
@@ -14806,10 +15702,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Não há nada para ajustar neste projeto.</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>Um valor tem um nome que os campos de números aceitam, também em contas como = 2*folga.</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>Editar o projeto</translation>
     </message>
@@ -14824,6 +15716,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>Quem abrir o modelo salvo verá a vista, os valores mostrados e Exportar, e nada mais.</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>Dê um nome a um número: qualquer campo pode usá-lo, também em contas como = 2*folga.</translation>
     </message>
 </context>
 <context>

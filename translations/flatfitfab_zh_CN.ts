@@ -3362,6 +3362,10 @@
         <source>There is no view before this one</source>
         <translation>没有更早的视图</translation>
     </message>
+    <message>
+        <source>The simple window does without it; Settings have the whole one</source>
+        <translation>简洁窗口里没有它；在“设置”中可换回完整窗口</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3715,6 +3719,26 @@
     <message>
         <source>Meeting point</source>
         <translation>相接点</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: numbers that follow values keep it at %2.</source>
+        <extracomment>%1: what was typed, %2 a length or the like</extracomment>
+        <translation>这里不能用“%1”：跟随参数的数值使它保持在 %2。</translation>
+    </message>
+    <message>
+        <source>“%1” is not possible here: %2 follows “%3”, which keeps it as it is.</source>
+        <extracomment>%1: what was typed, %2 names a number such as &quot;Wheel, Diameter&quot;, %3: an expression</extracomment>
+        <translation>这里不能用“%1”：%2 跟随“%3”，使它保持不变。</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be worked out.</source>
+        <extracomment>%1 is the name of a value</extracomment>
+        <translation>“%1”无法计算。</translation>
+    </message>
+    <message>
+        <source>“%1” is empty, which is not possible here.</source>
+        <extracomment>%1: an expression</extracomment>
+        <translation>“%1”是空的，这里不允许。</translation>
     </message>
 </context>
 <context>
@@ -5948,6 +5972,11 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>没有删除：接头是两个插片相接的地方。请删除其中一个，或把类型选为“无”。</translation>
     </message>
+    <message>
+        <source>“%1” is what is set now, in place of what it was.</source>
+        <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
+        <translation>“%1”现在是当前的设置，取代了原来的。</translation>
+    </message>
 </context>
 <context>
     <name>LoadPreset</name>
@@ -6828,6 +6857,90 @@
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <extracomment>keys, as they are labelled on a keyboard of the country, in menus: &quot;Ctrl+Shift+S&quot;</extracomment>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Ins</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backspace</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下</translation>
     </message>
 </context>
 <context>
@@ -8907,6 +9020,10 @@
     <message>
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1：插槽把“%2”切得什么都不剩。</translation>
+    </message>
+    <message>
+        <source>%1: two columns are named &quot;%2&quot;.</source>
+        <translation>%1：有两列都叫 &quot;%2&quot;。</translation>
     </message>
 </context>
 <context>
@@ -12315,6 +12432,777 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::SampleTexts</name>
+    <message>
+        <source>along</source>
+        <translation>水平距离</translation>
+    </message>
+    <message>
+        <source>Along a rib from ring to ring</source>
+        <translation>沿肋片，从一个圆环到另一个圆环</translation>
+    </message>
+    <message>
+        <source>Along a rib to the lower ring</source>
+        <translation>沿肋片，到下圆环为止</translation>
+    </message>
+    <message>
+        <source>Arch</source>
+        <translation>桥拱</translation>
+    </message>
+    <message>
+        <source>aside</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>axis_x</source>
+        <translation>轴_x</translation>
+    </message>
+    <message>
+        <source>axis_y</source>
+        <translation>轴_y</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>背面</translation>
+    </message>
+    <message>
+        <source>Beam</source>
+        <translation>横梁</translation>
+    </message>
+    <message>
+        <source>Beams</source>
+        <translation>横梁组</translation>
+    </message>
+    <message>
+        <source>Belly rib</source>
+        <translation>腹部肋片</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>环间</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>层板</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>层板组</translation>
+    </message>
+    <message>
+        <source>boards</source>
+        <translation>层板数</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>身体</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>树枝</translation>
+    </message>
+    <message>
+        <source>capital</source>
+        <translation>大写字高</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>格子</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>列距</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>列数</translation>
+    </message>
+    <message>
+        <source>Cradle</source>
+        <translation>托架</translation>
+    </message>
+    <message>
+        <source>cradle</source>
+        <translation>托架高</translation>
+    </message>
+    <message>
+        <source>Crest</source>
+        <translation>顶饰板</translation>
+    </message>
+    <message>
+        <source>Cutlery</source>
+        <translation>餐具</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>轴距</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>隔板</translation>
+    </message>
+    <message>
+        <source>Dividers</source>
+        <translation>隔板组</translation>
+    </message>
+    <message>
+        <source>Ears</source>
+        <translation>耳朵</translation>
+    </message>
+    <message>
+        <source>Far base</source>
+        <translation>远处底座</translation>
+    </message>
+    <message>
+        <source>Far dancer</source>
+        <translation>远处舞者</translation>
+    </message>
+    <message>
+        <source>Far dancer, leaning</source>
+        <translation>远处倾身舞者</translation>
+    </message>
+    <message>
+        <source>Far dancers</source>
+        <translation>远处的舞者们</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>冷杉</translation>
+    </message>
+    <message>
+        <source>Fir across</source>
+        <translation>横向冷杉</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>底板</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>支脚</translation>
+    </message>
+    <message>
+        <source>Fore legs</source>
+        <translation>前腿</translation>
+    </message>
+    <message>
+        <source>Forks and teaspoons</source>
+        <translation>叉子和茶匙</translation>
+    </message>
+    <message>
+        <source>Four shelves</source>
+        <translation>四层</translation>
+    </message>
+    <message>
+        <source>From axis to axis, level</source>
+        <translation>两轴之间的水平距离</translation>
+    </message>
+    <message>
+        <source>From axis to axis, with some play</source>
+        <translation>两轴之间的距离，留一点间隙</translation>
+    </message>
+    <message>
+        <source>From wall to wall</source>
+        <translation>相邻壁板之间的距离</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Front foot</source>
+        <translation>前支脚</translation>
+    </message>
+    <message>
+        <source>Front legs</source>
+        <translation>前腿</translation>
+    </message>
+    <message>
+        <source>Front rail</source>
+        <translation>前横档</translation>
+    </message>
+    <message>
+        <source>Front wave</source>
+        <translation>前浪</translation>
+    </message>
+    <message>
+        <source>Glass of water</source>
+        <translation>一杯水</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>提手</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>头部</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of the capitals; a long name has to be smaller</source>
+        <translation>大写字母的高度；名字长时要小一些</translation>
+    </message>
+    <message>
+        <source>Height of the cradles</source>
+        <translation>托架的高度</translation>
+    </message>
+    <message>
+        <source>Height of the pinion&apos;s axis</source>
+        <translation>小齿轮轴的高度</translation>
+    </message>
+    <message>
+        <source>Height of the wheel&apos;s axis</source>
+        <translation>大齿轮轴的高度</translation>
+    </message>
+    <message>
+        <source>Hind foot</source>
+        <translation>后支脚</translation>
+    </message>
+    <message>
+        <source>Hind legs</source>
+        <translation>后腿</translation>
+    </message>
+    <message>
+        <source>Hind wave</source>
+        <translation>后浪</translation>
+    </message>
+    <message>
+        <source>Hip</source>
+        <translation>髋部</translation>
+    </message>
+    <message>
+        <source>Horns</source>
+        <translation>大颚</translation>
+    </message>
+    <message>
+        <source>How far beside its place below a rib meets the upper ring</source>
+        <translation>肋片与上圆环相接处，比它在下面的位置横向偏出多少</translation>
+    </message>
+    <message>
+        <source>How far each rib leans</source>
+        <translation>每片肋片倾斜多少</translation>
+    </message>
+    <message>
+        <source>How much lower the pinion is, seen from the wheel</source>
+        <translation>从大齿轮看，小齿轮低多少</translation>
+    </message>
+    <message>
+        <source>How wide the plate is, in heights of a capital</source>
+        <translation>名牌的宽度是大写字母高度的几倍</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>名牌的宽度</translation>
+    </message>
+    <message>
+        <source>Jars</source>
+        <translation>调料罐</translation>
+    </message>
+    <message>
+        <source>Last rib</source>
+        <translation>末尾肋片</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>左脚</translation>
+    </message>
+    <message>
+        <source>Left leaf</source>
+        <translation>左叶</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>左侧板</translation>
+    </message>
+    <message>
+        <source>Left strip</source>
+        <translation>左条板</translation>
+    </message>
+    <message>
+        <source>Left wing</source>
+        <translation>左翅膀</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>腿</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>腿组</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>腿数</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>字高</translation>
+    </message>
+    <message>
+        <source>Long foot</source>
+        <translation>长支脚</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>环下</translation>
+    </message>
+    <message>
+        <source>Lower ring</source>
+        <translation>下圆环</translation>
+    </message>
+    <message>
+        <source>Lower slat</source>
+        <translation>下靠背条</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>中间</translation>
+    </message>
+    <message>
+        <source>Middle base</source>
+        <translation>中间底座</translation>
+    </message>
+    <message>
+        <source>Middle dancer</source>
+        <translation>中间舞者</translation>
+    </message>
+    <message>
+        <source>Middle dancer, leaning</source>
+        <translation>中间倾身舞者</translation>
+    </message>
+    <message>
+        <source>Middle dancers</source>
+        <translation>中间的舞者们</translation>
+    </message>
+    <message>
+        <source>Middle rib</source>
+        <translation>中间肋片</translation>
+    </message>
+    <message>
+        <source>module</source>
+        <translation>模数</translation>
+    </message>
+    <message>
+        <source>Mug</source>
+        <translation>马克杯</translation>
+    </message>
+    <message>
+        <source>Muzzle</source>
+        <translation>口鼻</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名字</translation>
+    </message>
+    <message>
+        <source>Name plate</source>
+        <translation>名牌</translation>
+    </message>
+    <message>
+        <source>Near base</source>
+        <translation>近处底座</translation>
+    </message>
+    <message>
+        <source>Near dancer</source>
+        <translation>近处舞者</translation>
+    </message>
+    <message>
+        <source>Near dancer, leaning</source>
+        <translation>近处倾身舞者</translation>
+    </message>
+    <message>
+        <source>Near dancers</source>
+        <translation>近处的舞者们</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>颈部</translation>
+    </message>
+    <message>
+        <source>Of a rib, along it</source>
+        <translation>沿肋片量的高度</translation>
+    </message>
+    <message>
+        <source>Of the boards, from end to end</source>
+        <translation>层板两端之间</translation>
+    </message>
+    <message>
+        <source>Of the drawer, inside</source>
+        <translation>抽屉的内尺寸</translation>
+    </message>
+    <message>
+        <source>Of the glass</source>
+        <translation>杯子的直径</translation>
+    </message>
+    <message>
+        <source>Of the highest wall</source>
+        <translation>最高的壁板的高度</translation>
+    </message>
+    <message>
+        <source>Of the pinion, from a gap to the wheel</source>
+        <translation>小齿轮从齿槽正对大齿轮处转过的角度</translation>
+    </message>
+    <message>
+        <source>Of the pinion, likewise</source>
+        <translation>小齿轮，同上</translation>
+    </message>
+    <message>
+        <source>Of the sides</source>
+        <translation>侧板的深度</translation>
+    </message>
+    <message>
+        <source>Of the sides; the crest stands higher</source>
+        <translation>侧板的高度；顶饰板更高</translation>
+    </message>
+    <message>
+        <source>Of the wheel</source>
+        <translation>大齿轮的数值</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the ground of its gaps</source>
+        <translation>大齿轮，到齿槽底部</translation>
+    </message>
+    <message>
+        <source>Of the wheel, to the tips of its teeth</source>
+        <translation>大齿轮，到齿顶</translation>
+    </message>
+    <message>
+        <source>Other foot</source>
+        <translation>另一侧支脚</translation>
+    </message>
+    <message>
+        <source>Other pier</source>
+        <translation>另一侧桥墩</translation>
+    </message>
+    <message>
+        <source>Other rail</source>
+        <translation>另一侧栏杆</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>另一侧侧板</translation>
+    </message>
+    <message>
+        <source>Other sill</source>
+        <translation>另一侧底梁</translation>
+    </message>
+    <message>
+        <source>Other toe</source>
+        <translation>另一侧脚趾</translation>
+    </message>
+    <message>
+        <source>Pens</source>
+        <translation>笔</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>起始角</translation>
+    </message>
+    <message>
+        <source>Pier</source>
+        <translation>桥墩</translation>
+    </message>
+    <message>
+        <source>Pinion</source>
+        <translation>小齿轮</translation>
+    </message>
+    <message>
+        <source>pinion</source>
+        <translation>小齿轮齿数</translation>
+    </message>
+    <message>
+        <source>Pinion teeth</source>
+        <translation>小齿轮的齿</translation>
+    </message>
+    <message>
+        <source>pinion_radius</source>
+        <translation>小齿轮半径</translation>
+    </message>
+    <message>
+        <source>pinion_root</source>
+        <translation>小齿轮齿根半径</translation>
+    </message>
+    <message>
+        <source>pinion_y</source>
+        <translation>小齿轮_y</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>背甲片</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>牌宽</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>背甲片组</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Rail</source>
+        <translation>栏杆</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>鳍条</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>鳍条组</translation>
+    </message>
+    <message>
+        <source>Rear rib</source>
+        <translation>后部肋片</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>余量</translation>
+    </message>
+    <message>
+        <source>Rib</source>
+        <translation>肋片</translation>
+    </message>
+    <message>
+        <source>Ribs</source>
+        <translation>肋片组</translation>
+    </message>
+    <message>
+        <source>ribs</source>
+        <translation>肋片数</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>右脚</translation>
+    </message>
+    <message>
+        <source>Right leaf</source>
+        <translation>右叶</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>右侧板</translation>
+    </message>
+    <message>
+        <source>Right strip</source>
+        <translation>右条板</translation>
+    </message>
+    <message>
+        <source>Right wing</source>
+        <translation>右翅膀</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Ring of holes</source>
+        <translation>一圈孔</translation>
+    </message>
+    <message>
+        <source>root</source>
+        <translation>齿根半径</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>行距</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Screws</source>
+        <translation>螺丝</translation>
+    </message>
+    <message>
+        <source>Seat</source>
+        <translation>座板</translation>
+    </message>
+    <message>
+        <source>Shelf</source>
+        <translation>搁板</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>肩部</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧板</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>侧板组</translation>
+    </message>
+    <message>
+        <source>Sill</source>
+        <translation>底梁</translation>
+    </message>
+    <message>
+        <source>Size of the teeth: the diameter over their number</source>
+        <translation>齿的大小：直径除以齿数</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>切片</translation>
+    </message>
+    <message>
+        <source>Small glass</source>
+        <translation>小玻璃杯</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>脊骨</translation>
+    </message>
+    <message>
+        <source>Spoons and knives</source>
+        <translation>勺子和餐刀</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>星形</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>太阳</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>尾巴</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>齿列</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>齿数</translation>
+    </message>
+    <message>
+        <source>Teeth of the pinion</source>
+        <translation>小齿轮的齿数</translation>
+    </message>
+    <message>
+        <source>The same without whole teeth</source>
+        <translation>同一角度，去掉整数个齿后的余量</translation>
+    </message>
+    <message>
+        <source>Three shelves</source>
+        <translation>三层</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>倾角</translation>
+    </message>
+    <message>
+        <source>Timber</source>
+        <translation>撑木</translation>
+    </message>
+    <message>
+        <source>Timbers</source>
+        <translation>撑木组</translation>
+    </message>
+    <message>
+        <source>Toe</source>
+        <translation>脚趾</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>齿</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>树干</translation>
+    </message>
+    <message>
+        <source>Tumbler</source>
+        <translation>直筒杯</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>转角</translation>
+    </message>
+    <message>
+        <source>Twig</source>
+        <translation>细枝</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>Upper ring</source>
+        <translation>上圆环</translation>
+    </message>
+    <message>
+        <source>Upper slat</source>
+        <translation>上靠背条</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the neck</source>
+        <translation>颈椎</translation>
+    </message>
+    <message>
+        <source>Vertebrae of the tail</source>
+        <translation>尾椎</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁板</translation>
+    </message>
+    <message>
+        <source>Whale</source>
+        <translation>鲸鱼</translation>
+    </message>
+    <message>
+        <source>What the sheet has room for</source>
+        <translation>板材放得下的字高</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>大齿轮</translation>
+    </message>
+    <message>
+        <source>Where a tooth of the wheel is</source>
+        <translation>大齿轮的一个齿所在的位置</translation>
+    </message>
+    <message>
+        <source>Wide</source>
+        <translation>加宽</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>widths</source>
+        <translation>宽比</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Samples</name>
     <message>
         <source>Fish</source>
@@ -13003,6 +13891,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Keep the previous version when saving</source>
         <translation>保存时保留上一个版本</translation>
+    </message>
+    <message>
+        <source>Simple window</source>
+        <translation>简洁窗口</translation>
+    </message>
+    <message>
+        <source>To draw, check and export; all else is out of the way.</source>
+        <translation>只用来绘制、检查和导出，其余都收起来。</translation>
     </message>
 </context>
 <context>
@@ -14671,10 +15567,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>这个设计没有可调整的内容。</translation>
     </message>
     <message>
-        <source>A value has a name that number fields take, also in sums such as = 2*gap.</source>
-        <translation>参数有名称，可填入数字输入框，也可用在算式中，例如 = 2*间距。</translation>
-    </message>
-    <message>
         <source>Edit the design</source>
         <translation>编辑设计</translation>
     </message>
@@ -14689,6 +15581,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Whoever opens the saved model sees the view, the shown values and Export, and nothing else.</source>
         <translation>别人打开保存的模型时，只会看到视图、公开的参数和导出，没有其他。</translation>
+    </message>
+    <message>
+        <source>Give a number a name: any field can use it, also in sums such as = 2*gap.</source>
+        <translation>给数值起个名字：任何输入框都能用它，也能用在 = 2*间隙 这样的算式里。</translation>
     </message>
 </context>
 <context>

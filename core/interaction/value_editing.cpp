@@ -30,6 +30,9 @@ constexpr Text kNoPresetName =
     FFF_TEXT("Hint", "A preset needs a name, without “=” and blanks at its ends.");
 constexpr Text kNothingToKeep =
     FFF_TEXT("Hint", "Others can adjust no value yet, so there is nothing to keep.");
+//: %1 is the name of a preset of values, such as A5
+constexpr Text kPresetReplaced =
+    FFF_TEXT("Hint", "“%1” is what is set now, in place of what it was.");
 //: %1 is what somebody took for the name of a preset
 constexpr Text kNoSuchPreset = FFF_TEXT("Hint", "There is no preset named “%1”.");
 constexpr Text kHandOn = FFF_TEXT("Step", "Hand on for adjusting");
@@ -111,6 +114,8 @@ SectionEdit presetKept(const Document &document, const std::string &name)
     if (preset.settings.empty())
         return refused(kNothingToKeep);
     EditedSections edit{document, {kKeepPreset, {Named{name}}}};
+    if (findPreset(document.values, name))
+        edit.note = Hint(Message{kPresetReplaced, {Named{name}}});
     edit.document.values = withPreset(document.values, std::move(preset));
     return edit;
 }

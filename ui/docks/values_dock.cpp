@@ -173,7 +173,7 @@ void ValuesDock::refreshAround()
     m_empty->setText(
         m_adjustsOnly
             ? tr("There is nothing to adjust in this design.")
-            : tr("A value has a name that number fields take, also in sums such as = 2*gap."));
+            : tr("Give a number a name: any field can use it, also in sums such as = 2*gap."));
     m_add->setVisible(!m_adjustsOnly);
     m_handOn->setVisible(m_adjustsOnly || hasShown);
     m_handOn->setText(m_adjustsOnly ? tr("Edit the design") : tr("Hand on for adjusting"));
