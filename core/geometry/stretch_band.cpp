@@ -121,13 +121,16 @@ private:
         const auto place = [&](HandleSide side) -> Vec2 & {
             return side == HandleSide::Out ? points[index(i) + 1] : points[index(i - 1) + 2];
         };
+        // A line has no handles to agree with: the curve that goes on from it is as long as what is
+        // on its own side makes it, or a round corner that becomes small would have ears.
+        const bool isIn = isLineAt(i - 1), isOut = isLineAt(i);
+        const bool goesOn = isSmooth && isIn != isOut;
         for (const HandleSide side : {HandleSide::In, HandleSide::Out}) {
-            const Around around{m_band.along(), factorAt(i, side, isSmooth)};
+            const Around around{m_band.along(), factorAt(i, side, isSmooth && !goesOn)};
             place(side) = now + around(handle(m_contour, i, side) - before);
         }
-        // Where a line goes on as a curve, the curve begins in the line's new direction.
-        const bool isIn = isLineAt(i - 1), isOut = isLineAt(i);
-        if (!isSmooth || isIn == isOut)
+        // And it begins in the line's new direction.
+        if (!goesOn)
             return;
         const Vec2 end = points[index(isIn ? i - 1 : i + 1)];
         Vec2 &bent = place(isIn ? HandleSide::Out : HandleSide::In);

@@ -336,7 +336,7 @@ tl::expected<Document, Message> bound(Document document, const DrivenPlace &plac
     }
     const std::optional<DrivenNumber> is = drivenNumber(result.document, place);
     if (is && !isSameWorth(is->worth, *worth))
-        return tl::unexpected(atPlace(document, place, {kKept, {quote, argumentOf(is->worth)}}));
+        return tl::unexpected(atPlace(document, place, {kKept, {quote, argumentOf(number->worth)}}));
     return std::move(result.document);
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace fff {
@@ -31,13 +32,25 @@ struct DrivenLength
     Vec2 from = Vec2::Zero(), to = Vec2::Zero();
 };
 
+/// Left before right, below before above: it does not matter from which end it was measured, and
+/// what stands goes on standing.
+bool isBefore(const Frame &frame, const Vec2 &a, const Vec2 &b)
+{
+    const Vec2 way = b - a;
+    const bool isAcross = std::abs(way.x()) >= std::abs(way.y());
+    const bool hangsDown = (isAcross ? frame.x : frame.y).y() < -0.5;
+    return ((isAcross ? way.x() : way.y()) > 0.0) != hangsDown;
+}
+
 std::optional<DrivenLength> lengthOf(const Document &document, const Dimension &dimension)
 {
     const Anchor &from = dimension.from, &to = dimension.to;
     const Section *section = document.find(from.section.drawn);
     if (!section || from.section != to.section || std::abs(from.at.z() - to.at.z()) > kSameHeight)
         return std::nullopt;
-    const DrivenLength length{&dimension, section, from.at.head<2>(), to.at.head<2>()};
+    DrivenLength length{&dimension, section, from.at.head<2>(), to.at.head<2>()};
+    if (!isBefore(section->frame, length.from, length.to))
+        std::swap(length.from, length.to);
     return (length.to - length.from).norm() >= kLeastLength ? std::optional(length) : std::nullopt;
 }
 
@@ -228,7 +241,8 @@ Result<Document> writeLength(Document document, const DrivenPlace &place, const 
         band.stays = band.from;
         if (!stretches[i].staysAtFrom) {
             band.mirroredAt = mirroredAt(section, band);
-            band.stays = slitMiddleOn(*next, section).value_or(band.mirroredAt.value_or(band.from));
+            band.stays = slitHolding(*next, section, band.along())
+                             .value_or(band.mirroredAt.value_or(band.from));
         }
         next = stretchedByNumbers(*std::move(next), section, {.band = band});
     }

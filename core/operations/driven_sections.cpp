@@ -1,6 +1,5 @@
 // Place, angle and size of sections, the numbers of their figures and of their lettering, as
 // expressions can drive them.
-#include "core/base/tolerances.h"
 #include "core/geometry/turning.h"
 #include "core/model/edits.h"
 #include "core/model/figures.h"
@@ -12,15 +11,10 @@
 #include "core/operations/stretched_by_numbers.h"
 
 #include <cmath>
-#include <limits>
 
 namespace fff {
 
 namespace {
-
-/// Cosine of the angle within which an axis is upright enough to stand on, and a slit lies along
-/// it: 30 degrees.
-constexpr double kUpright = 0.866;
 
 const Section *sectionAt(const Document &document, const DrivenPlace &place)
 {
@@ -75,32 +69,9 @@ std::optional<double> readSize(const Document &, const Section &section)
     return turnedBounds(section.shape->contour(), Vec2::UnitX()).size()[axis];
 }
 
-/// What stands on the ground goes on standing there, as long as its slit is not taken to another
-/// place: a slit that lies along the axis has one place on it.
-template <int axis>
-std::optional<Vec2> footOf(const Document &document, const Section &section)
-{
-    const Vec3 way = axis == 0 ? section.frame.x : section.frame.y;
-    if (std::abs(way.y()) < kUpright)
-        return std::nullopt;
-    if (const Section *holder = drawnHolderOf(document, section)) {
-        const Vec2 slit = section.parent->slitTo - section.parent->slitFrom;
-        const Vec3 along = holder->frame.directionToWorld(slit);
-        if (along.norm() <= 0.0 || std::abs(along.normalized().dot(way)) < kUpright)
-            return std::nullopt;
-    }
-    Vec2 lowest = Vec2::Zero();
-    double height = std::numeric_limits<double>::infinity();
-    for (const Vec2 &point : section.shape->region().outer)
-        if (const double y = section.frame.toWorld(point).y(); y < height) {
-            height = y;
-            lowest = point;
-        }
-    return std::abs(height) <= kGroundSunk ? std::optional(lowest) : std::nullopt;
-}
-
-/// Where it stands on the ground, or about the middle of its slit, which stays where it is; without
-/// either about that of its box. Slits are no part of a contour: they keep their width.
+/// About the middle of its slit, which stays where it is; without one, what is upright grows from
+/// its lower end, on which it may stand, whatever its height was before, and else it is about the
+/// middle of its box. Slits are no part of a contour: they keep their width.
 template <int axis>
 Result<Document> writeSize(Document document, const Section &section, double to)
 {
@@ -109,11 +80,13 @@ Result<Document> writeSize(Document document, const Section &section, double to)
         return failure(ErrorCode::BadValue, axis == 0 ? "width" : "height");
     Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
     matrix(axis, axis) = to / now;
-    const Vec2 about =
-        footOf<axis>(document, section)
-            .value_or(
-                slitMiddleOn(document, section)
-                    .value_or(turnedBounds(section.shape->contour(), Vec2::UnitX()).center()));
+    const Box2 box = turnedBounds(section.shape->contour(), Vec2::UnitX());
+    const Vec2 along = Vec2::Unit(axis);
+    const double up = section.frame.directionToWorld(along).y();
+    const Vec2 about = slitHolding(document, section, along)
+                           .value_or(std::abs(up) < kUpright ? box.center()
+                                     : up > 0.0              ? box.min
+                                                             : box.max);
     return stretchedByNumbers(std::move(document), section, {.matrix = matrix, .about = about});
 }
 

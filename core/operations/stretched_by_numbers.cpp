@@ -7,6 +7,8 @@
 #include "core/model/moving.h"
 #include "core/model/point_edits.h"
 
+#include <cmath>
+
 namespace fff {
 
 namespace {
@@ -69,10 +71,16 @@ Result<Document> stretchedByNumbers(Document document, const Section &section, c
     return withLetteringKept(withFiguresKept(*std::move(next), section, map), section, map);
 }
 
-std::optional<Vec2> slitMiddleOn(const Document &document, const Section &section)
+std::optional<Vec2> slitHolding(const Document &document, const Section &section, const Vec2 &along)
 {
     const Section *holder = section.parent ? document.find(section.parent->section.drawn) : nullptr;
     if (!holder)
+        return std::nullopt;
+    const Vec3 way = section.frame.directionToWorld(along).normalized();
+    const Vec3 slit =
+        holder->frame.directionToWorld(section.parent->slitTo - section.parent->slitFrom);
+    const bool isAlong = std::abs(slit.dot(way)) >= kUpright * slit.norm();
+    if (isAlong && std::abs(way.y()) >= kUpright)
         return std::nullopt;
     return section.frame.toLocal(
         holder->frame.toWorld(0.5 * (section.parent->slitFrom + section.parent->slitTo)));

@@ -71,6 +71,9 @@ private Q_SLOTS:
     void measuredByHandItIsAlongAnAxis();
     void oneThatIsAslant();
     void withinASizeThatIsDriven();
+    void severalOnOneAxis();
+    void whatStandsGoesOnStanding();
+    void roundCornersStayRound();
     void whatIsTypedCountsOrIsRefused();
     void threeSides();
     void whatDoesNotGoTogetherGoesNowhere();
@@ -295,6 +298,104 @@ void TestDrivenDimensions::withinASizeThatIsDriven()
     const auto &b = other.sections[0]->shape->contour().points();
     for (std::size_t i = 0; i < a.size(); ++i)
         QVERIFY((a[i] - b[i]).norm() < 1e-6);
+}
+
+/// The shelf's rib with this outline, and a driven length between each pair of its corners.
+Document withLengths(const Polygon &corners,
+                     const std::vector<std::pair<std::size_t, std::size_t>> &pairs)
+{
+    Document document = shelf();
+    Section drawn = *document.sections[1];
+    drawn.shape = Shape::make(Contour::fromPolygon(corners).value()).value();
+    document.sections[1] = std::make_shared<const Section>(drawn);
+    char name[] = "a";
+    for (const auto &[from, to] : pairs) {
+        const Vec2 a = corners[from], b = corners[to];
+        document = addDimension(document, {drawn.ref(), {a.x(), a.y(), 0}},
+                                {drawn.ref(), {b.x(), b.y(), 0}})
+                       .value();
+        document =
+            withValue(std::move(document), name, (std::to_string((b - a).norm()) + " mm").c_str());
+        document =
+            madeOf(document, key("dimension", document.dimensions.back().id.value, "length"), name);
+        ++name[0];
+    }
+    return document;
+}
+
+bool isSameOutline(const Document &a, const Document &b)
+{
+    const auto &p = a.sections[1]->shape->contour().points();
+    const auto &q = b.sections[1]->shape->contour().points();
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                      [](const Vec2 &x, const Vec2 &y) { return (x - y).norm() < 1e-6; });
+}
+
+// Wrong: an L with two lengths along its foot slid aside with each change, and did not come back.
+void TestDrivenDimensions::severalOnOneAxis()
+{
+    const Polygon corners{{0, 0}, {100, 0}, {100, 30}, {60, 30}, {60, 90}, {0, 90}};
+    for (const auto &pairs : {std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {5, 4}},
+                              {{1, 0}, {4, 5}},
+                              {{0, 1}, {2, 3}}}) {
+        const Document before = withLengths(corners, pairs);
+        Document document = before;
+        for (const char *length : {"90 mm", "70 mm", "140 mm", "100 mm"}) {
+            document = typed(document, "a", length);
+            const Box2 box = document.sections[1]->shape->bounds();
+            QVERIFY2(std::abs(box.min.x()) < 1e-6, length);
+        }
+        QVERIFY(isSameOutline(document, before));
+    }
+}
+
+// Wrong: it depended on the end from which it was measured, and on whether it touched the ground.
+void TestDrivenDimensions::whatStandsGoesOnStanding()
+{
+    for (const double low : {0.0, 30.0}) {
+        const Polygon corners{{0, low}, {100, low}, {100, low + 60}, {0, low + 60}};
+        for (const auto &pair : {std::pair<std::size_t, std::size_t>{1, 2}, {2, 1}}) {
+            const Document before = withLengths(corners, {pair});
+            const Document higher = typed(before, "a", "90 mm");
+            QVERIFY(std::abs(higher.sections[1]->shape->bounds().min.y() - low) < 1e-9);
+            QVERIFY(isSameOutline(typed(higher, "a", "60 mm"), before));
+        }
+    }
+    // A height that touches the ground on the way does not stay there.
+    Document document = withValue(shelf(), "h", "40 mm");
+    document = madeOf(document, key("section", document.sections[0]->id.value, "height"), "h");
+    const Box2 box = document.sections[0]->shape->bounds();
+    for (const char *height : {"80 mm", "5 mm", "200 mm", "40 mm"}) {
+        document = typed(document, "h", height);
+        QVERIFY(std::abs(document.sections[0]->shape->bounds().min.y() - box.min.y()) < 1e-9);
+    }
+}
+
+// Wrong: round corners that had little room left became ears.
+void TestDrivenDimensions::roundCornersStayRound()
+{
+    const double k = 10.0 * 0.5522847498;
+    const std::vector<Vec2> points{
+        {10, 0},   {110.0 / 3, 0},  {190.0 / 3, 0},   {90, 0},   {90 + k, 0},   {100, 10 - k},
+        {100, 10}, {100, 70.0 / 3}, {100, 110.0 / 3}, {100, 50}, {100, 50 + k}, {90 + k, 60},
+        {90, 60},  {190.0 / 3, 60}, {110.0 / 3, 60},  {10, 60},  {10 - k, 60},  {0, 50 + k},
+        {0, 50},   {0, 110.0 / 3},  {0, 70.0 / 3},    {0, 10},   {0, 10 - k},   {10 - k, 0}};
+    Document document = shelf();
+    Section drawn = *document.sections[1];
+    drawn.shape = Shape::make(Contour::fromPoints(points).value()).value();
+    document.sections[1] = std::make_shared<const Section>(drawn);
+    document = addDimension(document, {drawn.ref(), {10, 0, 0}}, {drawn.ref(), {90, 0, 0}}).value();
+    document = withValue(withValue(std::move(document), "a", "80 mm"), "all", "100 mm");
+    document = madeOf(document, key("section", drawn.id.value, "width"), "all");
+    document = madeOf(document, lengthKey(document), "a");
+    for (const char *length : {"95 mm", "99 mm", "99.4 mm", "40 mm", "80 mm"}) {
+        document = typed(document, "a", length);
+        const Box2 box = document.sections[1]->shape->contour().bounds(); // of the control points
+        QVERIFY2(std::abs(box.min.x()) < 1e-6 && std::abs(box.max.x() - 100.0) < 1e-6, length);
+    }
+    const std::vector<Vec2> &now = document.sections[1]->shape->contour().points();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        QVERIFY((now[i] - points[i]).norm() < 1e-6);
 }
 
 // Wrong: a length came out as another one than was typed, without a word.
