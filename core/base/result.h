@@ -77,6 +77,7 @@ enum class WarningCode {
     TrailingLines,       // text after the last section was ignored
     MissingBlob,         // a picture or the like was left out; args: its name, why
     MissingTemplate,     // a template keeps its place without what it shows; args: its name
+    LostBinding,         // a number does not follow what was typed for it; args: that
 };
 
 struct Warning

@@ -267,6 +267,10 @@ QString warningSentence(const Warning &warning)
         return ofSection(args,
                          ErrorTexts::tr("what %1 shows could not be read; its place was kept"),
                          ErrorTexts::tr("a template could not be read; its place was kept"));
+    case WarningCode::LostBinding:
+        //: %1 is an expression
+        return ErrorTexts::tr("what was to follow “%1” is a plain number now")
+            .arg(args.empty() ? QStringLiteral("?") : verbatim(args, 0));
     }
     return {}; // not reached: every code is above
 }

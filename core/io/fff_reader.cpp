@@ -422,7 +422,11 @@ Document FffReader::read(const JsonCursor &root)
     document.values = readValues(root, document.nextId, readers);
     document.templates = readTemplates(root.member("templates"), readers);
     if (!m_problems.failed())
-        document.bindings = readBindings(root.member("bindings"), document, readers);
+        document.bindings =
+            readBindings(root.member("bindings"), document, readers,
+                         [this](const JsonCursor &item, const std::string &typed) {
+                             m_problems.warn(WarningCode::LostBinding, item.path(), {typed});
+                         });
     if (!m_problems.failed())
         document.blobs = readBlobs(root.member("blobs"), m_blobs, m_problems);
     return document;

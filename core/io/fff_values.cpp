@@ -274,24 +274,31 @@ Values readValues(const JsonCursor &root, std::int64_t nextId, const ReferenceRe
     return values;
 }
 
-std::vector<BindingPointer> readBindings(const JsonCursor &cursor, const Document &document,
-                                         const ReferenceReaders &readers)
+std::vector<BindingPointer>
+readBindings(const JsonCursor &cursor, const Document &document, const ReferenceReaders &readers,
+             const std::function<void(const JsonCursor &item, const std::string &typed)> &lost)
 {
     Document found; // of which the bindings alone are used
     if (!cursor.exists())
         return {};
     for (const JsonCursor &item : cursor.items()) {
         const auto of = namedIn(kDrivenNames, item.member("of").text());
-        if (!of)
+        if (!of) {
+            lost(item, readTyped(item.member("typed")));
             continue;
+        }
         const DrivenPlace place = readPlace(item, *of, document.nextId, readers);
         Binding binding{
             place, ValueKind::Number, readTyped(item.member("typed")), readReading(item), {}};
         const std::optional<DrivenNumber> number = drivenNumber(document, place);
-        if (!number)
+        if (!number) {
+            lost(item, binding.typed);
             continue;
+        }
         binding.kind = number->kind;
         binding.result = readResult(item.member("result"), number->worth);
+        if (!isSameWorth(binding.result, number->worth))
+            lost(item, binding.typed); // and is told from what counts when numbers are driven
         if (bindingOf(found, place))
             item.failExpected(QT_TRANSLATE_NOOP("Error", "each number once"));
         found = withBinding(std::move(found), std::move(binding));

@@ -15,7 +15,10 @@ void writeBindings(JsonWriter &json, const Document &document);
 Values readValues(const JsonCursor &root, std::int64_t nextId, const ReferenceReaders &readers);
 /// Those of numbers that `document`, which is whole otherwise, has: what a later version knows is a
 /// number all the same.
-std::vector<BindingPointer> readBindings(const JsonCursor &cursor, const Document &document,
-                                         const ReferenceReaders &readers);
+/// lost  of each that is no binding here: nothing has the number, or it has become another one
+/// since
+std::vector<BindingPointer>
+readBindings(const JsonCursor &cursor, const Document &document, const ReferenceReaders &readers,
+             const std::function<void(const JsonCursor &item, const std::string &typed)> &lost);
 
 } // namespace fff::io

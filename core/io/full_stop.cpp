@@ -1,4 +1,4 @@
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 
 #include <QCoreApplication>
 

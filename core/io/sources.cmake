@@ -24,6 +24,7 @@ target_sources(fff_io PRIVATE
     flatfab_format.cpp
     flatfab_text.cpp
     formats.cpp
+    full_stop.cpp
     gcode_writer.cpp
     gltf_accessor.cpp
     gltf_reader.cpp

@@ -1,6 +1,7 @@
 #include "core/io/warning_summary.h"
 
 #include "core/io/error_text.h"
+#include "core/io/full_stop.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -46,6 +47,9 @@ QString sentenceOfMany(WarningCode code, int count)
     case WarningCode::MissingTemplate:
         return SummaryTexts::tr("%n templates could not be read; their places were kept.", nullptr,
                                 count);
+    case WarningCode::LostBinding:
+        return SummaryTexts::tr("%n numbers no longer follow what was typed for them.", nullptr,
+                                count);
     }
     return {}; // not reached: every code is above
 }
@@ -59,7 +63,7 @@ QString wholeSentence(const Warning &warning)
                                 sentence.startsWith(QString::fromStdString(warning.args.front()));
     if (!beginsWithName)
         sentence = sentence.left(1).toUpper() + sentence.mid(1);
-    return sentence + u'.';
+    return withFullStop(sentence);
 }
 
 QStringList warningSummary(std::span<const Warning> warnings)

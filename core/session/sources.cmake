@@ -7,7 +7,6 @@ target_sources(fff_session PRIVATE
     copy_commands.cpp
     drawing_commands.cpp
     figure_commands.cpp
-    full_stop.cpp
     joint_commands.cpp
     flat_template_commands.cpp
     journal.cpp

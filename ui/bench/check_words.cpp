@@ -1,7 +1,7 @@
 #include "ui/bench/check_words.h"
 
 #include "core/analysis/findings/of_sections.h"
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 #include "core/session/message_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/measures.h"

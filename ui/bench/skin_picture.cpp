@@ -1,7 +1,7 @@
 #include "ui/bench/skin_picture.h"
 
 #include "core/analysis/asked_skin.h"
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "ui/bench/workbench.h"

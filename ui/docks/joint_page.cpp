@@ -2,7 +2,7 @@
 
 #include "core/assembly/joint_editing.h"
 #include "core/base/units.h"
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 #include "ui/base/icon.h"
 #include "ui/base/lengths.h"
 #include "ui/base/theme.h"

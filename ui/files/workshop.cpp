@@ -3,7 +3,7 @@
 #include "core/analysis/planned.h"
 #include "core/io/error_text.h"
 #include "core/session/assembly_steps.h"
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "ui/base/file_dialog.h"

@@ -2,7 +2,7 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "core/interaction/view_cube.h"
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 #include "ui/view/problem_marks.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/sign_painter.h"

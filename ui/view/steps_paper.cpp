@@ -3,7 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -93,7 +93,7 @@ void TestErrorText::everyErrorHasASentence()
 void TestErrorText::everyWarningHasASentence()
 {
     std::set<QString> sentences;
-    const int last = static_cast<int>(WarningCode::MissingBlob);
+    const int last = static_cast<int>(WarningCode::LostBinding);
     for (int code = 0; code <= last; ++code) {
         for (const std::vector<std::string> &args :
              {std::vector<std::string>{}, {"Section 3"}, {"Section 3", "0.5"}}) {

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void files();
     void presets();
     void whatOpensForAdjusting();
+    void whatIsLostIsSaid();
 };
 
 void TestFffValues::files()
@@ -105,6 +106,32 @@ void TestFffValues::presets()
 }
 
 // Wrong: what was handed on opens as what it was made in.
+// Wrong: half of a model followed its values no more, and nobody heard of it.
+void TestFffValues::whatIsLostIsSaid()
+{
+    Document document = withValue(shelf(), "w", "200 mm");
+    const std::string place = key("section", document.sections[0]->id.value, "width");
+    document = madeOf(document, place, "w");
+    const std::string text = io::writeFff(document).value();
+    QVERIFY(io::readFff(text)->warnings.empty());
+    const auto changed = [&text](const std::string &from, const std::string &to) {
+        std::string wrong = text;
+        const std::size_t at = wrong.find(from, wrong.find("\"bindings\""));
+        if (at != wrong.npos)
+            wrong.replace(at, from.size(), to);
+        return io::readFff(wrong);
+    };
+    for (const auto &[from, to] :
+         {std::pair("\"width\"", "\"widht\""), std::pair("\"section\"", "\"sextion\""),
+          std::pair("\"result\": 200", "\"result\": 77")}) {
+        const auto loaded = changed(from, to);
+        QVERIFY2(loaded, from);
+        QCOMPARE(loaded->warnings.size(), std::size_t(1));
+        QCOMPARE(loaded->warnings.front().code, WarningCode::LostBinding);
+        QCOMPARE(loaded->warnings.front().args.front(), std::string("w"));
+    }
+}
+
 void TestFffValues::whatOpensForAdjusting()
 {
     Document document = withValue(shelf(), "w", "3 mm");

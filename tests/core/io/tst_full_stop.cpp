@@ -1,7 +1,7 @@
 // Where sentences end, whatever they are written in.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/session/full_stop.h"
+#include "core/io/full_stop.h"
 #include "tests/test_program.h"
 
 using namespace fff;

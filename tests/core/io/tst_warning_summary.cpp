@@ -10,7 +10,7 @@ using io::warningSummary;
 
 namespace {
 
-constexpr int kCodes = static_cast<int>(WarningCode::MissingBlob) + 1;
+constexpr int kCodes = static_cast<int>(WarningCode::LostBinding) + 1;
 
 Warning mended(int code, const char *name, int line)
 {

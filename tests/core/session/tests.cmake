@@ -4,7 +4,6 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_assembly_steps
     core/session/tst_autosave
     core/session/tst_bad_loads
-    core/session/tst_full_stop
     core/session/tst_bearing_map
     core/session/tst_bent_model
     core/session/tst_case_models
