@@ -50,4 +50,13 @@ void dressDock(QDockWidget *dock, const char *objectName)
     dock->setTitleBarWidget(title);
 }
 
+void setDockFixed(QDockWidget &dock, bool isFixed)
+{
+    dock.setFeatures(isFixed ? QDockWidget::NoDockWidgetFeatures
+                             : QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                                   QDockWidget::DockWidgetFloatable);
+    for (QToolButton *button : dock.titleBarWidget()->findChildren<QToolButton *>())
+        button->setVisible(!isFixed);
+}
+
 } // namespace fff::ui

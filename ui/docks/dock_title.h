@@ -7,5 +7,7 @@ namespace fff::ui {
 
 /// Gives the dock this title, a stable object name and the window's habits.
 void dressDock(QDockWidget *dock, const char *objectName);
+/// It stays where it is, without these buttons.
+void setDockFixed(QDockWidget &dock, bool isFixed);
 
 } // namespace fff::ui

@@ -108,10 +108,7 @@ void ValuesDock::addNew()
 void ValuesDock::setAdjustsOnly(bool only)
 {
     m_adjustsOnly = only;
-    setFeatures(only ? NoDockWidgetFeatures
-                     : DockWidgetClosable | DockWidgetMovable | DockWidgetFloatable);
-    for (QToolButton *button : titleBarWidget()->findChildren<QToolButton *>())
-        button->setVisible(!only);
+    setDockFixed(*this, only);
     m_presets->setAdjustsOnly(only);
     m_rows->setAdjustsOnly(only);
     m_trials->setOffered(!only);
@@ -175,7 +172,7 @@ void ValuesDock::refreshAround()
             ? tr("There is nothing to adjust in this design.")
             : tr("Give a number a name: any field can use it, also in sums such as = 2*gap."));
     m_add->setVisible(!m_adjustsOnly);
-    m_handOn->setVisible(m_adjustsOnly || hasShown);
+    m_handOn->setVisible((m_adjustsOnly || hasShown) && m_bench.commands().isShown("value.handOn"));
     m_handOn->setText(m_adjustsOnly ? tr("Edit the design") : tr("Hand on for adjusting"));
     m_handOn->setToolTip(m_adjustsOnly
                              ? tr("Bring back drawing and all panels; when it is saved now, the "

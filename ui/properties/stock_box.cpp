@@ -120,6 +120,8 @@ void StockBox::fillMenu()
         m_menu->insertAction(slider, action);
     }
     m_menu->insertSeparator(slider);
+    if (m_editorAction && !m_editorAction->isVisible())
+        return;
     m_menu->addSeparator();
     auto *editor = m_menu->addAction(tr("Stocks…"));
     connect(editor, &QAction::triggered, this, &StockBox::editorWanted);

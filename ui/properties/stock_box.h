@@ -4,6 +4,7 @@
 
 #include "ui/properties/choice_box.h"
 
+class QAction;
 class QMenu;
 
 namespace fff::ui {
@@ -19,6 +20,8 @@ public:
 
     /// Shows no more than the thickness.
     void setShort(bool isShort);
+    /// What opens the editor of stocks; where it is not to be had, it is not offered.
+    void setEditorAction(const QAction *action) { m_editorAction = action; }
 
     void showPopup() override;
     void hidePopup() override;
@@ -33,6 +36,7 @@ private:
     Workbench &m_bench;
     QMenu *m_menu = nullptr;
     ThicknessField *m_thickness = nullptr;
+    const QAction *m_editorAction = nullptr;
     bool m_isShort = false;
 };
 

@@ -55,6 +55,7 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_stretch = addWidget(stretch);
     m_stock = new StockBox(m_bench, this);
+    m_stock->setEditorAction(actions.action("fabricate.stocks"));
     connect(m_stock, &StockBox::editorWanted, actions.action("fabricate.stocks"),
             &QAction::trigger);
     addWidget(m_stock);
@@ -117,8 +118,27 @@ void MainToolBar::makeRepeat()
     m_repeatAction = addWidget(m_repeat);
 }
 
+/// Where all between two of them is away, one is enough.
+void MainToolBar::showUsedSeparators()
+{
+    bool isWanted = false; // there is something before it
+    QAction *last = nullptr;
+    for (QAction *action : actions()) {
+        if (action->isSeparator()) {
+            action->setVisible(isWanted);
+            last = isWanted ? action : last;
+            isWanted = false;
+        } else if (action->isVisible() && action != m_stretch) {
+            isWanted = true;
+        } else if (action == m_stretch && last && !isWanted) {
+            last->setVisible(false); // nothing behind it but the room
+        }
+    }
+}
+
 void MainToolBar::fold(int windowWidth)
 {
+    showUsedSeparators();
     placeOperations(windowWidth >= kOperationButtons);
     // Whole words or none: how long they are is the language's.
     const bool hadLabels = toolButtonStyle() == Qt::ToolButtonTextUnderIcon;

@@ -33,6 +33,7 @@ private:
     void followSelection();
     void setFolded(bool isFolded);
     int roomOfSection() const;
+    void showUsedSeparators();
 
     Workbench &m_bench;
     StockBox *m_stock = nullptr;

@@ -186,7 +186,7 @@ bool WindowLayout::isAsAtFirst(bool narrow) const
 
 void WindowLayout::followWidth()
 {
-    if (m_isHidden || m_isAway || m_only.dock || isAsAtFirst(isNarrow()) ||
+    if (m_isHidden || m_isAway || !m_only.docks.empty() || isAsAtFirst(isNarrow()) ||
         !isAsAtFirst(!isNarrow()))
         return;
     std::vector<bool> areShown;
@@ -257,12 +257,16 @@ void WindowLayout::setAway(bool away)
 
 void WindowLayout::setOnly(const Only &only)
 {
-    const bool isSame = only.dock == m_only.dock;
+    const bool isSame = only == m_only;
     m_only = only;
-    if (isSame)
-        showBars();
-    else
+    if (!isSame)
         follow();
+}
+
+bool WindowLayout::Only::has(const QDockWidget *dock) const
+{
+    return std::any_of(docks.begin(), docks.end(),
+                       [dock](const auto &placed) { return placed.first == dock; });
 }
 
 void WindowLayout::setOwnBar(QToolBar *bar)
@@ -273,24 +277,26 @@ void WindowLayout::setOwnBar(QToolBar *bar)
 
 void WindowLayout::follow()
 {
-    if (!m_isHidden && !m_isAway && !m_only.dock)
+    if (!m_isHidden && !m_isAway && m_only.docks.empty())
         return bringBack();
     if (m_beforeHiding.isEmpty())
         m_beforeHiding = m_window.saveState(kVersion);
     for (QDockWidget *dock : m_docks)
-        if (dock != m_only.dock || m_isAway)
+        if (!m_only.has(dock) || m_isAway)
             dock->hide();
-    if (m_only.dock && !m_isAway)
+    if (!m_only.docks.empty() && !m_isAway)
         showOnly();
     showBars();
 }
 
 void WindowLayout::showOnly()
 {
-    m_only.dock->setFloating(false);
-    m_window.addDockWidget(m_only.area, m_only.dock);
-    m_only.dock->show();
-    m_window.resizeDocks({m_only.dock}, {kRightWidth}, Qt::Horizontal);
+    for (const auto &[dock, area] : m_only.docks) {
+        dock->setFloating(false);
+        m_window.addDockWidget(area, dock);
+        dock->show();
+        m_window.resizeDocks({dock}, {kRightWidth}, Qt::Horizontal);
+    }
 }
 
 void WindowLayout::showBars()
@@ -311,7 +317,7 @@ void WindowLayout::bringBack()
 
 void WindowLayout::show(QDockWidget *dock)
 {
-    if (m_only.dock && dock != m_only.dock)
+    if (!m_only.docks.empty() && !m_only.has(dock))
         return;
     setHidden(false);
     setAway(false);
@@ -339,7 +345,7 @@ void WindowLayout::forgetHiding()
 {
     m_beforeHiding.clear();
     const bool wasHidden = std::exchange(m_isHidden, false);
-    if (m_isAway || m_only.dock)
+    if (m_isAway || !m_only.docks.empty())
         follow();
     if (wasHidden)
         Q_EMIT hiddenChanged(false);

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <Qt>
 
+#include <utility>
 #include <vector>
 
 class QDockWidget;
@@ -51,11 +52,13 @@ public:
     void setAway(bool away);
     struct Only
     {
-        QDockWidget *dock = nullptr; // null: all of them
-        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+        std::vector<std::pair<QDockWidget *, Qt::DockWidgetArea>> docks = {}; // empty: all of them
         bool hasOwnBar = false; // in place of the others
+
+        bool has(const QDockWidget *dock) const;
+        bool operator==(const Only &) const = default;
     };
-    /// This dock there, all others away; or all back exactly as they were.
+    /// These docks there, all others away; or all back exactly as they were.
     void setOnly(const Only &only);
     /// The tool bar that is there with a dock alone, and never else.
     void setOwnBar(QToolBar *bar);

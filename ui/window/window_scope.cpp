@@ -3,6 +3,7 @@
 #include "core/interaction/value_editing.h"
 #include "ui/actions/action_set.h"
 #include "ui/bench/workbench.h"
+#include "ui/docks/dock_title.h"
 #include "ui/docks/values_dock.h"
 #include "ui/settings/settings.h"
 #include "ui/window/window_layout.h"
@@ -37,8 +38,9 @@ constexpr std::string_view kOfAdjusting[] = {
 
 /// The simple window has what draws, changes and looks at what was drawn; it does without what
 /// repeats, weighs, measures, imports and marks.
-constexpr std::string_view kKindsOfSimple[] = {
-    "file.", "edit.", "view.", "section.", "point.", "joint.", "check.", "transform.", "help."};
+constexpr std::string_view kKindsOfSimple[] = {"value.set", "preset.take", "file.",  "edit.",
+                                               "view.",     "section.",    "point.", "joint.",
+                                               "check.",    "transform.",  "help."};
 constexpr std::string_view kNotSimple[] = {"file.insert",
                                            "file.addToLibrary",
                                            "edit.mirror",
@@ -60,7 +62,14 @@ constexpr std::string_view kNotSimple[] = {"file.insert",
                                            "section.importMarks",
                                            "section.importSections",
                                            "section.lock",
-                                           "section.holdTo"};
+                                           "section.holdTo",
+                                           "section.putOn",
+                                           "section.free",
+                                           "section.makeOrthogonal",
+                                           "section.snapNormal",
+                                           "edit.selectParallel",
+                                           "edit.selectSameStock",
+                                           "edit.selectConnected"};
 
 /// Whether anything is left of it; what opens beside it goes with all that is in there.
 bool showUsed(QMenu &menu)
@@ -125,22 +134,27 @@ WindowScope::Scope WindowScope::wanted() const
 void WindowScope::follow()
 {
     const Scope scope = wanted();
-    if (scope == m_scope)
+    const bool hasValues =
+        scope != Scope::Whole && hasShownValue(m_bench.session().committed().document.values);
+    if (scope == m_scope && hasValues == m_hasValues)
         return;
     m_scope = scope;
+    m_hasValues = hasValues;
     const bool isWhole = scope == Scope::Whole;
     m_bench.commands().limit(
         isWhole ? std::function<bool(std::string_view)>()
                 : [scope](std::string_view command) { return lets(scope, command); },
         isAdjusting() ? kOnlyAdjusted : kOnlySimple);
     m_bench.setLooksOnly(isAdjusting());
-    m_parts.values->setAdjustsOnly(isAdjusting());
-    if (isWhole)
-        m_layout.setOnly({});
-    else if (isAdjusting())
-        m_layout.setOnly({m_parts.values, Qt::RightDockWidgetArea, true});
-    else
-        m_layout.setOnly({m_parts.simple, Qt::LeftDockWidgetArea, false});
+    m_parts.values->setAdjustsOnly(!isWhole);
+    setDockFixed(*m_parts.simple, scope == Scope::Simple);
+    WindowLayout::Only only;
+    only.hasOwnBar = isAdjusting();
+    if (scope == Scope::Simple)
+        only.docks.emplace_back(m_parts.simple, Qt::LeftDockWidgetArea);
+    if (isAdjusting() || hasValues) // what can be set is for whoever has the simple window, too
+        only.docks.emplace_back(m_parts.values, Qt::RightDockWidgetArea);
+    m_layout.setOnly(only);
     m_actions.refresh();
     showUsedMenus();
     Q_EMIT changed();

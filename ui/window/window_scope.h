@@ -61,7 +61,8 @@ private:
     const Parts m_parts;
     std::vector<QMenu *> m_menus; // of the bar, but for those that nobody sees
     Scope m_scope = Scope::Whole;
-    bool m_isOpened = false; // another model, whose values were not offered yet
+    bool m_hasValues = false; // to be set in it
+    bool m_isOpened = false;  // another model, whose values were not offered yet
 };
 
 } // namespace fff::ui

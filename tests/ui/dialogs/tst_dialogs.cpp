@@ -118,7 +118,7 @@ void TestDialogs::settingsAreKept()
         };
         choose("settingsUnit", 2);
         choose("settingsTheme", 2);
-        choose("settingsLanguage", 2);
+        choose("settingsLanguage", 1);
         auto *field = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("settingsAutosave"));
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("17"));

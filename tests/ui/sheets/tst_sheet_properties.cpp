@@ -89,7 +89,7 @@ void TestSheetProperties::theSelectedPartIsTold()
         if (parts[i].section == section)
             box = sheet.parts[i].cuts.controlPointRect();
     const QString place =
-        QStringLiteral("%1, %2").arg(box.left(), 0, 'f', 1).arg(box.top(), 0, 'f', 1);
+        QStringLiteral("%1 × %2").arg(box.left(), 0, 'f', 1).arg(box.top(), 0, 'f', 1);
     QVERIFY2(said("sectionSheetPlace").contains(place),
              qPrintable(said("sectionSheetPlace") + QStringLiteral(" is not ") + place));
     QTest::mouseClick(pinned, Qt::LeftButton, {}, {8, 8});

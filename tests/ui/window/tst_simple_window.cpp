@@ -1,7 +1,9 @@
 // The window of a class: what draws, checks and exports, and nothing else; and back.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/model/bindings.h"
 #include "tests/test_program.h"
+#include "tests/ui/docks/values_hand.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/actions/action_finder.h"
@@ -32,6 +34,8 @@ private Q_SLOTS:
     void itHasWhatDrawsChecksAndExports();
     void oneDrawsInIt();
     void allComesBackAsItWas();
+    void valuesAreThereWhereThereAreSome();
+    void theBarHasNoEmptyPlaces();
 
 private:
     QStringList seenDocks() const
@@ -63,8 +67,8 @@ void TestSimpleWindow::itHasWhatDrawsChecksAndExports()
     const QStringList buttons = seenButtons();
     for (const char *id : {"file.save", "edit.undo", "section.pen", "section.addShape"})
         QVERIFY2(buttons.contains(QLatin1String(id)), id);
-    for (const char *id : {"operation.linear", "edit.mirror", "physics.addWeight", "check.stress",
-                           "measure.ruler"})
+    for (const char *id :
+         {"operation.linear", "edit.mirror", "physics.addWeight", "check.stress", "measure.ruler"})
         QVERIFY2(!buttons.contains(QLatin1String(id)), id);
     QStringList menus;
     for (const QAction *action : m_window->menuBar()->actions())
@@ -112,6 +116,58 @@ void TestSimpleWindow::allComesBackAsItWas()
     QCOMPARE(seenDocks(), docks);
     QCOMPARE(seenButtons(), buttons);
     QVERIFY(bench().commands().isShown("operation.linear"));
+}
+
+// Wrong: a sample with sliders had none.
+void TestSimpleWindow::valuesAreThereWhereThereAreSome()
+{
+    settings().setSimpleWindow(true);
+    Document document = adjustable();
+    Value width = *document.values.find(std::string_view("width"));
+    width.isShown = true;
+    document = changeValue(std::move(document), std::move(width)).value();
+    session().reset(document);
+    m_window->showDocument();
+    QTest::qWait(50);
+    QCOMPARE(seenDocks(),
+             (QStringList{QStringLiteral("checksDock"), QStringLiteral("valuesDock")}));
+    QVERIFY(!m_window->findChild<QWidget *>(QStringLiteral("valuesHandOn"))->isVisible());
+    for (const QDockWidget *dock : m_window->findChildren<QDockWidget *>())
+        if (dock->isVisible())
+            QVERIFY2(dock->features() == QDockWidget::NoDockWidgetFeatures,
+                     qPrintable(dock->objectName()));
+    bench().run(QStringLiteral("value.set"), {{"name", "width"}, {"expression", "50 mm"}});
+    QCOMPARE(session().committed().document.values.find(std::string_view("width"))->typed,
+             std::string("50 mm"));
+    session().reset(newDocument());
+    QTest::qWait(50);
+    QCOMPARE(seenDocks(), QStringList{QStringLiteral("checksDock")});
+}
+
+void TestSimpleWindow::theBarHasNoEmptyPlaces()
+{
+    const auto isTidy = [this] {
+        bool wasSeparator = true;
+        for (const QAction *action : m_window->findChild<MainToolBar *>()->actions()) {
+            if (!action->isVisible())
+                continue;
+            if (action->isSeparator() && wasSeparator)
+                return false;
+            wasSeparator = action->isSeparator();
+        }
+        return true;
+    };
+    QVERIFY(isTidy());
+    settings().setSimpleWindow(true);
+    QTest::qWait(50);
+    QVERIFY(isTidy());
+    settings().setSimpleWindow(false);
+    QTest::qWait(50);
+    QVERIFY(isTidy());
+    int separators = 0;
+    for (const QAction *action : m_window->findChild<MainToolBar *>()->actions())
+        separators += action->isSeparator() && action->isVisible() ? 1 : 0;
+    QVERIFY(separators >= 4); // they came back
 }
 
 FFF_TEST_WITH(TestSimpleWindow, runInWindowProgram<TestSimpleWindow>)
