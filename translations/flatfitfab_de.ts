@@ -4902,6 +4902,18 @@
         <source>each value once</source>
         <translation>jeder Wert einmal</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>was „%1“ folgen sollte, ist jetzt eine einfache Zahl</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n Zahl folgt nicht mehr dem, was für sie eingegeben war.</numerusform>
+            <numerusform>%n Zahlen folgen nicht mehr dem, was für sie eingegeben war.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

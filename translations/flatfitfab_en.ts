@@ -274,6 +274,13 @@
             <numerusform>%n templates could not be read; their places were kept.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n number no longer follows what was typed for it.</numerusform>
+            <numerusform>%n numbers no longer follow what was typed for them.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Hint</name>

@@ -4902,6 +4902,18 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>una malla en la que dos caras se encuentren en una arista</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>lo que debía seguir a «%1» es ahora un número fijo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n número ya no sigue lo que se había escrito.</numerusform>
+            <numerusform>%n números ya no siguen lo que se había escrito.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

@@ -4902,6 +4902,18 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>un maillage où deux faces se rencontrent à une arête</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>ce qui devait suivre « %1 » est maintenant un simple nombre</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n nombre ne suit plus ce qui avait été saisi.</numerusform>
+            <numerusform>%n nombres ne suivent plus ce qui avait été saisi.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

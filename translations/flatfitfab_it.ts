@@ -4902,6 +4902,18 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>una mesh in cui due facce si incontrino in uno spigolo</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>ciò che doveva seguire «%1» ora è un semplice numero</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n numero non segue più ciò che era stato scritto.</numerusform>
+            <numerusform>%n numeri non seguono più ciò che era stato scritto.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

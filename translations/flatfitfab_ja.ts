@@ -4865,6 +4865,17 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>2 つの面が辺で接するメッシュ</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>「%1」に従うはずの数値は、ただの数値になりました</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n 個の数値は、入力された式に従わなくなりました。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

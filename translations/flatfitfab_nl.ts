@@ -4902,6 +4902,18 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>een mesh waarvan twee vlakken bij een rand samenkomen</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>wat ‘%1’ moest volgen, is nu een gewoon getal</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n getal volgt niet meer wat ervoor was getypt.</numerusform>
+            <numerusform>%n getallen volgen niet meer wat ervoor was getypt.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

@@ -4939,6 +4939,19 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>siatka, w której przy krawędzi spotykają się dwie ściany</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>to, co miało zależeć od „%1”, jest teraz zwykłą liczbą</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n liczba nie zależy już od tego, co dla niej wpisano.</numerusform>
+            <numerusform>%n liczby nie zależą już od tego, co dla nich wpisano.</numerusform>
+            <numerusform>%n liczb nie zależy już od tego, co dla nich wpisano.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

@@ -4902,6 +4902,18 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>uma malha em que duas faces se encontrem em cada aresta</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>o que devia seguir “%1” agora é um número comum</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n número não segue mais o que foi digitado.</numerusform>
+            <numerusform>%n números não seguem mais o que foi digitado.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

@@ -4865,6 +4865,17 @@
         <source>a mesh of which two faces meet at an edge</source>
         <translation>每条边只有两个面相接的网格</translation>
     </message>
+    <message>
+        <source>what was to follow “%1” is a plain number now</source>
+        <extracomment>%1 is an expression</extracomment>
+        <translation>本该跟随“%1”的数值现在是普通数值</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers no longer follow what was typed for them.</source>
+        <translation>
+            <numerusform>%n 个数值不再跟随为它们输入的内容。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
