@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace fff {
 
@@ -13,6 +14,8 @@ namespace {
 
 /// More steps than this no rolling takes that leans by kFarthestLean at the most.
 constexpr int kMostSteps = 200;
+/// A distance that is only to leave out what is farther away, made a little larger than rounding.
+constexpr double kRoundedUp = 1.0 + 1e-9;
 
 /// How it would roll: about a line on the ground, away from its feet.
 struct Roll
@@ -125,17 +128,32 @@ bool isOutOfReach(double up, double squaredAcross)
     return up > 0.0 && up * up > kSlope * kSlope * squaredAcross;
 }
 
-/// Of the points those that can come to touch.
+/// Of the points those that can come to touch. What keeps one from it stands no farther from it
+/// than its height above the lowest of all allows: only such are looked at, in the order of the
+/// axis along which the points are strung out. O(n log n) for what has most feet on the ground.
 std::vector<Vec3> withinReach(std::vector<Vec3> points)
 {
     std::sort(points.begin(), points.end(), isLower);
     std::vector<Vec3> able;
+    if (points.empty())
+        return able;
+    Box3 box;
+    for (const Vec3 &p : points)
+        box.extend(p);
+    const int axis = box.size().x() >= box.size().z() ? 0 : 2;
+    std::multimap<double, Vec3> placed;
     for (const Vec3 &p : points) {
-        const auto isBelow = [&](const Vec3 &q) {
+        const auto isBelow = [&](const auto &other) {
+            const Vec3 &q = other.second;
             return isOutOfReach(p.y() - q.y(), (across(p) - across(q)).squaredNorm());
         };
-        if (std::none_of(able.begin(), able.end(), isBelow))
-            able.push_back(p);
+        const double reach = kRoundedUp * (p.y() - points.front().y()) / kSlope;
+        const auto begin = placed.lower_bound(p[axis] - reach);
+        const auto end = placed.upper_bound(p[axis] + reach);
+        if (std::any_of(begin, end, isBelow))
+            continue;
+        able.push_back(p);
+        placed.emplace(p[axis], p);
     }
     return able;
 }
