@@ -77,7 +77,7 @@ public:
                 m_rest = *still;
         }
         const Vec3 up = m_rest < 0 ? ground.up : upOf(m_rest).value_or(ground.up);
-        if (m_rest >= 0)
+        if (m_rest >= 0 && !isOnGround(m_rest))
             m_ground = {up, up.dot(cornerOf(m_rest, 0))};
         for (std::size_t i = 0; i < m_hull.points.size(); ++i)
             m_isFoot[i] = touches(static_cast<int>(i));
@@ -134,6 +134,15 @@ private:
         return touches(indexOf(face, 0)) + touches(indexOf(face, 1)) + touches(indexOf(face, 2));
     }
 
+    /// To rounding. Of many points on one plane the faces are whatever their order and rounding
+    /// make them, narrow ones turned by much among them: what is said is of the plane.
+    bool isOnGround(int face) const
+    {
+        for (int corner = 0; corner < 3; ++corner)
+            if (std::abs(m_ground.above(cornerOf(face, corner))) > kClipGrid)
+                return false;
+        return true;
+    }
     /// Out of the ground that lies along it, unit; none of one so narrow that rounding turns it.
     std::optional<Vec3> upOf(int face) const;
     /// What it rests on.
@@ -161,6 +170,8 @@ private:
 
 std::optional<Vec3> Topple::upOf(int face) const
 {
+    if (isOnGround(face))
+        return m_ground.up;
     const Vec3 &a = cornerOf(face, 0), &b = cornerOf(face, 1), &c = cornerOf(face, 2);
     const Vec3 down = (b - a).cross(c - a);
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});

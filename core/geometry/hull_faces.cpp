@@ -1,5 +1,7 @@
 #include "core/geometry/hull_faces.h"
 
+#include "core/geometry/convex_hull.h"
+
 #include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_3.h>
@@ -56,13 +58,33 @@ void link(std::vector<HullFaces::Face> &faces)
     }
 }
 
+/// Leaves out what is inside of others at its height: of the many feet of something that stands a
+/// few are left, and the hull in space is the same.
+std::vector<Vec3> outermostOfEachHeight(std::vector<Vec3> points)
+{
+    std::sort(points.begin(), points.end(),
+              [](const Vec3 &a, const Vec3 &b) { return a.y() < b.y(); });
+    std::vector<Vec3> outer;
+    std::vector<Vec2> level;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        level.emplace_back(points[i].x(), points[i].z());
+        if (i + 1 < points.size() && points[i + 1].y() == points[i].y())
+            continue;
+        for (const Vec2 &corner : convexHull(level))
+            outer.emplace_back(corner.x(), points[i].y(), corner.y());
+        level.clear();
+    }
+    return outer;
+}
+
 } // namespace
 
 HullFaces hullFaces(const std::vector<Vec3> &points)
 {
     std::vector<SpacePoint> input, corners;
-    input.reserve(points.size());
-    for (const Vec3 &p : points)
+    const std::vector<Vec3> outer = outermostOfEachHeight(points);
+    input.reserve(outer.size());
+    for (const Vec3 &p : outer)
         input.emplace_back(p.x(), p.y(), p.z());
     HullFaces hull;
     if (areOnOnePlane(input))

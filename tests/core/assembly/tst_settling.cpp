@@ -7,6 +7,7 @@
 #include "tests/core/assembly/settle_oracle.h"
 #include "tests/test_program.h"
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -34,6 +35,7 @@ class TestSettling : public QObject
 
 private Q_SLOTS:
     void aTableWithAShortLegRocks();
+    void manyFeetAreOnePlane();
     void whatIsOutsideRollsOntoTheNextFoot();
     void whatHangsBesideCatchesIt();
     void whatRollsTooFarFalls();
@@ -64,6 +66,28 @@ void TestSettling::aTableWithAShortLegRocks()
     const auto rest = settle(table(20.0), {20, 60, 20});
     QVERIFY(rest);
     QCOMPARE(rest->contacts.size(), std::size_t(3));
+}
+
+// Wrong: a margin that hangs on which of many feet, level but for rounding, are looked at first.
+void TestSettling::manyFeetAreOnePlane()
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> x(-50, 50), z(-40, 40), rounding(0.0, 1e-9);
+    for (int round = 0; round < 20; ++round) {
+        std::vector<Vec3> points = table(0.0);
+        for (int foot = 0; foot < 500; ++foot)
+            points.emplace_back(x(random), 0.0, z(random));
+        if (round % 2 == 1)
+            for (Vec3 &p : points)
+                p.y() += rounding(random);
+        std::shuffle(points.begin(), points.end(), random);
+        const auto rest = settle(points, {2, 60, 2});
+        QVERIFY(rest);
+        QVERIFY(std::abs(rest->tipAngle - std::atan(38.0 / 60.0)) < 1e-7);
+        QVERIFY(std::abs(rest->margin - 38.0) < 1e-6);
+        QVERIFY(std::abs(rest->edge.z() - 40.0) < 1e-6 && std::abs(rest->edge.x() - 2.0) < 1e-6);
+        QCOMPARE(rest->rocking, 0.0);
+    }
 }
 
 // Wrong: "the slightest push tips it over" of a plate on its edge, beside which something hangs by
