@@ -9552,6 +9552,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ChosenPlace</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Schneiddateien exportieren</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CommandSearch</name>
     <message>
         <source>Type what you want to do</source>
@@ -10020,13 +10027,29 @@
         <translation>Trotzdem exportieren</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Exportieren …</translation>
-    </message>
-    <message>
         <source>Skin over %1</source>
         <extracomment>%1 are the sections of the model</extracomment>
         <translation>Haut über %1</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPlaceRow</name>
+    <message>
+        <source>Change…</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
+        <translation>%1 und weitere in %2</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
     </message>
 </context>
 <context>
@@ -10223,10 +10246,6 @@
 </context>
 <context>
     <name>fff::ui::Exporting</name>
-    <message>
-        <source>Export cutting files</source>
-        <translation>Schneiddateien exportieren</translation>
-    </message>
     <message>
         <source>Exporting %1…</source>
         <translation>%1 wird exportiert …</translation>

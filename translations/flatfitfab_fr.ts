@@ -9552,6 +9552,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ChosenPlace</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Exporter les fichiers de découpe</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CommandSearch</name>
     <message>
         <source>Find a command</source>
@@ -10025,8 +10032,24 @@
         <translation>Exporter quand même</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Exporter…</translation>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPlaceRow</name>
+    <message>
+        <source>Change…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
+        <translation>%1 et suivants, dans %2</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
     </message>
 </context>
 <context>
@@ -10263,10 +10286,6 @@
             <numerusform>%n section</numerusform>
             <numerusform>%n sections</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Export cutting files</source>
-        <translation>Exporter les fichiers de découpe</translation>
     </message>
     <message>
         <source>Exporting %1…</source>

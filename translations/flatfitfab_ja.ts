@@ -9452,6 +9452,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ChosenPlace</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>カットデータの書き出し</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CommandSearch</name>
     <message>
         <source>Find a command</source>
@@ -9925,8 +9932,24 @@
         <translation>それでも書き出す</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>書き出し…</translation>
+        <source>Export</source>
+        <translation>書き出す</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPlaceRow</name>
+    <message>
+        <source>Change…</source>
+        <translation>変更…</translation>
+    </message>
+    <message>
+        <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
+        <translation>%1 以降（%2 の中）</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1（%2 の中）</translation>
     </message>
 </context>
 <context>
@@ -10160,10 +10183,6 @@
         <translation>
             <numerusform>板 %n 枚</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Export cutting files</source>
-        <translation>カットデータの書き出し</translation>
     </message>
     <message>
         <source>Exporting %1…</source>

@@ -9652,6 +9652,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ChosenPlace</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Eksport plików do cięcia</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CommandSearch</name>
     <message>
         <source>Find a command</source>
@@ -10125,8 +10132,24 @@
         <translation>Eksportuj mimo to</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Eksportuj…</translation>
+        <source>Export</source>
+        <translation>Eksportuj</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPlaceRow</name>
+    <message>
+        <source>Change…</source>
+        <translation>Zmień…</translation>
+    </message>
+    <message>
+        <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
+        <translation>%1 i kolejne w folderze %2</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 w folderze %2</translation>
     </message>
 </context>
 <context>
@@ -10366,10 +10389,6 @@
             <numerusform>%n płytki</numerusform>
             <numerusform>%n płytek</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Export cutting files</source>
-        <translation>Eksport plików do cięcia</translation>
     </message>
     <message>
         <source>Exporting %1…</source>

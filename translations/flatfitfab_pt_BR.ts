@@ -9552,6 +9552,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ChosenPlace</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Exportar arquivos de corte</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CommandSearch</name>
     <message>
         <source>Find a command</source>
@@ -10025,8 +10032,24 @@
         <translation>Exportar mesmo assim</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPlaceRow</name>
+    <message>
+        <source>Change…</source>
+        <translation>Alterar…</translation>
+    </message>
+    <message>
+        <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
+        <translation>%1 e seguintes, em %2</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 em %2</translation>
     </message>
 </context>
 <context>
@@ -10263,10 +10286,6 @@
             <numerusform>%n seção</numerusform>
             <numerusform>%n seções</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Export cutting files</source>
-        <translation>Exportar arquivos de corte</translation>
     </message>
     <message>
         <source>Exporting %1…</source>

@@ -9452,6 +9452,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ChosenPlace</name>
+    <message>
+        <source>Export cutting files</source>
+        <translation>导出切割文件</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::CommandSearch</name>
     <message>
         <source>Find a command</source>
@@ -9925,8 +9932,24 @@
         <translation>仍然导出</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>导出…</translation>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExportPlaceRow</name>
+    <message>
+        <source>Change…</source>
+        <translation>更改…</translation>
+    </message>
+    <message>
+        <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
+        <translation>%1 等文件，在 %2 中</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1，在 %2 中</translation>
     </message>
 </context>
 <context>
@@ -10160,10 +10183,6 @@
         <translation>
             <numerusform>%n 个插片</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Export cutting files</source>
-        <translation>导出切割文件</translation>
     </message>
     <message>
         <source>Exporting %1…</source>

@@ -50,6 +50,7 @@ target_sources(fff_ui PRIVATE
     dialogs/cutting_work.cpp
     dialogs/export_choices.cpp
     dialogs/export_dialog.cpp
+    dialogs/export_place_row.cpp
     dialogs/export_preview.cpp
     dialogs/export_questions.cpp
     dialogs/export_remarks.cpp
@@ -113,6 +114,7 @@ target_sources(fff_ui PRIVATE
     docks/values_dock.cpp
     files/coupon_export.cpp
     files/document_files.cpp
+    files/chosen_place.cpp
     files/clipboard_picture.cpp
     files/mesh_import.cpp
     files/export_targets.cpp

@@ -30,6 +30,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/dialogs/tst_export_dialog
     ui/dialogs/tst_export_files
     ui/dialogs/tst_export_looks
+    ui/dialogs/tst_export_place
     ui/dialogs/tst_sheet_paths
     ui/docks/tst_followed_fields
     ui/docks/tst_movement_rows

@@ -9,6 +9,8 @@
 #include "ui/bench/cutting_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/cutting_work.h"
+#include "ui/dialogs/export_place.h"
+#include "ui/dialogs/export_place_row.h"
 #include "ui/dialogs/export_preview.h"
 #include "ui/dialogs/export_questions.h"
 #include "ui/dialogs/export_rows.h"
@@ -43,8 +45,8 @@ QStringList keptFiles(const ExportChoices &choices)
 } // namespace
 
 ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vector<ExportFile> files,
-                           ChooseTarget chooseTarget, QWidget *parent)
-    : QDialog(parent), m_bench(bench), m_checks(checks), m_chooseTarget(std::move(chooseTarget)),
+                           ExportPlace &place, QWidget *parent)
+    : QDialog(parent), m_bench(bench), m_checks(checks), m_place(place),
       m_choices(rememberedChoices())
 {
     setObjectName(QStringLiteral("exportDialog"));
@@ -76,6 +78,7 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     column->addWidget(makeFoot());
 
     connect(m_questions, &ExportQuestions::fileChanged, this, &ExportDialog::takeFile);
+    connect(&m_questions->place(), &ExportPlaceRow::changeWanted, this, &ExportDialog::changePlace);
     connect(m_rows, &ExportRows::layoutChanged, this, [this] {
         m_bench.nesting().setOptions(m_choices.nesting());
         m_work->setFinish(m_choices.cuts());
@@ -159,12 +162,30 @@ QWidget *ExportDialog::makeFoot()
 
 void ExportDialog::takeFile()
 {
-    const ExportFile &file = m_questions->file();
-    m_choices.file = file.key;
+    m_choices.file = file().key;
     m_choices.files = m_questions->chosenFiles();
-    m_rows->setSolids(file.isSolids);
-    m_preview->setFile(file);
+    m_rows->setSolids(file().isSolids);
+    m_preview->setFile(file());
+    showPlace();
     refresh();
+}
+
+void ExportDialog::showPlace()
+{
+    m_questions->place().setPath(m_place.pathOf(file()), file().isFilePerSheet);
+}
+
+void ExportDialog::changePlace()
+{
+    if (!m_place.change(this, file()))
+        return;
+    showPlace();
+    m_export->setFocus(Qt::OtherFocusReason); // what is left to do
+}
+
+const ExportFile &ExportDialog::file() const
+{
+    return m_questions->file();
 }
 
 void ExportDialog::refresh()
@@ -186,12 +207,12 @@ void ExportDialog::refreshFoot()
 {
     const Cutting *cutting = m_work->cutting();
     const auto bold = [](const QString &text) { return QStringLiteral("<b>%1</b>").arg(text); };
-    if (cutting && m_questions->file().isSkin)
+    if (cutting && file().isSkin)
         //: %1 are the sections of the model
         m_foot->setText(tr("Skin over %1")
                             .arg(bold(sectionCountText(
                                 static_cast<int>(m_bench.session().model().sectionCount())))));
-    else if (cutting && m_questions->file().isSolids)
+    else if (cutting && file().isSolids)
         //: %1 are the sections of the model
         m_foot->setText(tr("%1 as solids")
                             .arg(bold(sectionCountText(
@@ -209,10 +230,10 @@ void ExportDialog::refreshFoot()
     const bool isWrong = std::any_of(remarks.begin(), remarks.end(), [](const ExportRemark &r) {
         return r.severity == Severity::Error;
     });
-    m_export->setText(isWrong ? tr("Export anyway") : tr("Export…"));
+    m_export->setText(isWrong ? tr("Export anyway") : tr("Export"));
     const std::optional<Error> whyNot = m_work->whyNot();
     // Why is among the remarks.
-    m_export->setEnabled(!whyNot || (m_questions->file().isSolids && m_work->made()));
+    m_export->setEnabled(!whyNot || (file().isSolids && m_work->made()));
     const auto mask = [this](const QColor &colour) {
         return tintedPixmap(QStringLiteral("export"), 18, colour, devicePixelRatioF());
     };
@@ -233,8 +254,7 @@ void ExportDialog::showOf(const ExportRemark &remark)
 void ExportDialog::goOn()
 {
     commitOpenEditor();
-    m_target = m_chooseTarget(this, m_questions->file());
-    if (m_target.isEmpty())
+    if (!m_place.mayWrite(this, file()))
         return;
     rememberChoices(m_choices);
     accept();

@@ -1,5 +1,6 @@
-// The Export panel: what is cut, from which sheets, into which file; the sheets as they will be
-// cut; what is to be looked out for. It only asks: who opens it writes the file.
+// The Export panel: what is cut, from which sheets, into which file, and where that goes; the
+// sheets as they will be cut; what is to be looked out for. It only asks: who opens it writes the
+// file.
 //
 // What is the document's (thickness, kerf, clearance, sheet) is changed there at once, so that
 // slits, checks and sheets follow; all of it is one step of the history, and Cancel takes it back.
@@ -10,7 +11,6 @@
 #include "core/analysis/finding.h"
 #include "ui/dialogs/export_choices.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +26,7 @@ class CheckList;
 namespace fff::ui {
 
 class CuttingWork;
+class ExportPlace;
 class ExportPreview;
 class ExportQuestions;
 class ExportRows;
@@ -38,16 +39,13 @@ class ExportDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// Where to write; empty: it is not written yet.
-    using ChooseTarget = std::function<QString(QWidget *dialog, const ExportFile &file)>;
-
     /// files  at least one
     ExportDialog(Workbench &bench, const CheckList &checks, std::vector<ExportFile> files,
-                 ChooseTarget chooseTarget, QWidget *parent);
+                 ExportPlace &place, QWidget *parent);
     ~ExportDialog() override;
 
     /// Once it was accepted. The choices are kept for the next time.
-    const QString &target() const { return m_target; }
+    const ExportFile &file() const;
     const ExportChoices &choices() const { return m_choices; }
 
     /// What is to be shown of the model in its place: a problem, or sections.
@@ -67,12 +65,14 @@ private:
     void refreshFoot();
     void takeLeastWidth();
     void takeFile();
+    void showPlace();
+    void changePlace();
     void showOf(const ExportRemark &remark);
     void goOn();
 
     Workbench &m_bench;
     const CheckList &m_checks;
-    ChooseTarget m_chooseTarget;
+    ExportPlace &m_place;
     ExportChoices m_choices;
     StockEdits *m_stocks = nullptr;
     CuttingWork *m_work = nullptr;
@@ -83,7 +83,6 @@ private:
     QLabel *m_foot = nullptr;
     QCheckBox *m_opensFolder = nullptr;
     QPushButton *m_export = nullptr;
-    QString m_target;
     std::optional<Finding> m_problem;
     std::vector<SectionRef> m_sections;
 };

@@ -3,6 +3,7 @@
 #include "core/model/materials.h"
 #include "ui/base/lengths.h"
 #include "ui/base/rich_text.h"
+#include "ui/dialogs/export_place_row.h"
 #include "ui/dialogs/question_row.h"
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/choice_box.h"
@@ -47,13 +48,15 @@ int commonSheetOf(const Vec2 &size)
 
 ExportQuestions::ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files,
                                  const QStringList &chosen, QWidget *parent)
-    : QWidget(parent), m_stocks(stocks), m_file(new FileQuestion(std::move(files), chosen, this))
+    : QWidget(parent), m_stocks(stocks), m_file(new FileQuestion(std::move(files), chosen, this)),
+      m_place(new ExportPlaceRow(m_file))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);
     m_questions.push_back(makeStock());
     m_questions.push_back(m_sheetQuestion = makeSheet());
+    m_file->add(m_place);
     m_questions.push_back(m_file);
     for (QuestionRow *question : m_questions)
         column->addWidget(question);

@@ -15,6 +15,7 @@ class QLabel;
 namespace fff::ui {
 
 class ChoiceBox;
+class ExportPlaceRow;
 class LengthEdit;
 class QuestionRow;
 
@@ -30,6 +31,8 @@ public:
     const ExportFile &file() const { return m_file->file(); }
     /// As they are given, with what is chosen now.
     QStringList chosenFiles() const { return m_file->chosen(); }
+    /// Where it goes, below which it is.
+    ExportPlaceRow &place() { return *m_place; }
     void refresh();
     /// px, with all answers in sight.
     int leastWidth() const;
@@ -55,6 +58,7 @@ private:
     QWidget *m_ownSheet = nullptr;
     LengthEdit *m_sides[2] = {nullptr, nullptr};
     FileQuestion *m_file = nullptr;
+    ExportPlaceRow *m_place = nullptr;
     StockId m_ownSizeOf; // the stock for which a size of one's own was asked for
 };
 

@@ -9,13 +9,13 @@
 #include "core/session/scheduler.h"
 #include "core/session/sheet_nesting.h"
 #include "core/skin/skin.h"
-#include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
 #include "ui/base/message_bar.h"
 #include "ui/bench/cutting_words.h"
 #include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/export_dialog.h"
+#include "ui/files/chosen_place.h"
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
@@ -45,15 +45,6 @@ ExportKind kindOf(const QString &path, bool isFilePerSheet)
     return found == kinds.end() ? kinds.front() : *found;
 }
 
-/// The first where there is none of this key any more.
-ExportKind kindNamed(const QString &key)
-{
-    const std::vector<ExportKind> kinds = exportKinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(),
-                                    [&key](const ExportKind &kind) { return kind.key == key; });
-    return found == kinds.end() ? kinds.front() : *found;
-}
-
 std::vector<ExportFile> filesToChoose()
 {
     std::vector<ExportFile> files;
@@ -61,22 +52,6 @@ std::vector<ExportFile> filesToChoose()
         files.push_back({kind.key, kind.title, kind.use, !kind.format->writesCutting(),
                          kind.isFilePerSheet, kind.isSkin, kind.isFolder});
     return files;
-}
-
-/// Without what the kinds of files end in; what follows another dot ("chair.v2") is no suffix.
-QString withoutExportSuffix(const QString &path)
-{
-    const QString suffix = QFileInfo(path).suffix();
-    return io::formatWritten(suffix, &io::Format::isExported) ? path.chopped(suffix.size() + 1)
-                                                              : path;
-}
-
-/// What names of files begin with; a folder is in the same one as they.
-QString baseOf(const ExportTarget &target, const QString &suggestion)
-{
-    const QFileInfo folder(target.path);
-    return kindNamed(target.kind).isFolder ? folder.dir().filePath(QFileInfo(suggestion).fileName())
-                                           : withoutExportSuffix(target.path);
 }
 
 } // namespace
@@ -98,14 +73,8 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
 {
     if (m_bench.session().hasPreview())
         m_bench.escape(); // a section that is still being drawn is not cut
-    const std::optional<ExportTarget> before = target(model);
-    const QString base = before ? baseOf(*before, suggestion) : suggestion;
-    ExportDialog dialog(
-        m_bench, m_checks, filesToChoose(),
-        [&](QWidget *parent, const ExportFile &file) {
-            return askForPath(parent, kindNamed(file.key), base);
-        },
-        &m_window);
+    ChosenPlace place(suggestion, target(model));
+    ExportDialog dialog(m_bench, m_checks, filesToChoose(), place, &m_window);
     const bool goesOn = dialog.exec() == QDialog::Accepted;
     if (dialog.problem())
         Q_EMIT problemWanted(*dialog.problem());
@@ -113,29 +82,14 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
         Q_EMIT sectionsWanted(dialog.sections());
     if (!goesOn)
         return false;
-    const ExportTarget target{dialog.target(), dialog.choices().file};
-    if (!writeTo(target, model, Replaces::Asking))
+    const ExportTarget target = place.target(dialog.file());
+    if (!writeTo(target, model,
+                 place.isSettled(dialog.file()) ? Replaces::Unasked : Replaces::Asking))
         return false;
     if (dialog.choices().opensFolder)
         QDesktopServices::openUrl(QUrl::fromLocalFile(
-            kindNamed(target.kind).isFolder ? target.path : QFileInfo(target.path).absolutePath()));
+            dialog.file().isFolder ? target.path : QFileInfo(target.path).absolutePath()));
     return true;
-}
-
-QString Exporting::askForPath(QWidget *parent, const ExportKind &kind, const QString &suggestion)
-{
-    if (kind.isFolder)
-        return askForWorkshopFolder(parent, suggestion);
-    FileDialog dialog(parent, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
-                      kind.filter);
-    const QString suffix = kind.format->suffix();
-    dialog.setObjectName(QStringLiteral("exportFileDialog"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
-    // The name is then none of a file.
-    dialog.setOption(QFileDialog::DontConfirmOverwrite, kind.isFilePerSheet);
-    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + suffix);
-    return dialog.target();
 }
 
 bool Exporting::again(const QString &model)
@@ -146,7 +100,7 @@ bool Exporting::again(const QString &model)
 
 bool Exporting::writeTo(const ExportTarget &target, const QString &model, Replaces replaces)
 {
-    const ExportKind kind = kindNamed(target.kind);
+    const ExportKind kind = exportKindNamed(target.kind);
     m_model = model;
     if (!prepare(target.path))
         return false;
@@ -323,14 +277,13 @@ bool Exporting::tellFailure(const QString &path, const ExportKind &kind, const E
     const bool isOfStock =
         error.code == ErrorCode::ClosedSlit || error.code == ErrorCode::CannotOffset;
     const MessageBar::Verb mend =
-        isOfStock
-            ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
-            : MessageBar::Verb{tr("Export somewhere else…"), [this, path, kind] {
-                                   const QString other =
-                                       askForPath(&m_window, kind, baseOf({path, kind.key}, path));
-                                   if (!other.isEmpty())
-                                       writeTo({other, kind.key}, m_model, Replaces::Asking);
-                               }};
+        isOfStock ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
+                  : MessageBar::Verb{tr("Export somewhere else…"), [this, path, kind] {
+                                         const QString other = askForExport(
+                                             &m_window, kind, baseOf({path, kind.key}, path));
+                                         if (!other.isEmpty())
+                                             writeTo({other, kind.key}, m_model, Replaces::Asking);
+                                     }};
     const QString failure = saveFailure(path, error);
     m_messages.show(MessageBar::Severity::Error, {failure}, {mend}, failureDetails(path, error));
     // What is changed then may have mended it.

@@ -1,4 +1,4 @@
-// Export: shows what will be cut (ui/export_dialog.h), asks for a file, writes the parts for a
+// Export: shows what will be cut and where to (ui/export_dialog.h), writes the parts for a
 // cutter or the solids for another program, and says what to look out for. The window stays alive
 // meanwhile.
 #pragma once
@@ -60,7 +60,6 @@ private:
     enum class Replaces { Asking, Unasked };
 
     std::optional<ExportTarget> target(const QString &model) const;
-    QString askForPath(QWidget *parent, const ExportKind &kind, const QString &suggestion);
     bool writeTo(const ExportTarget &target, const QString &model, Replaces replaces);
     bool prepare(const QString &path);
     bool writeDrawing(const QString &path, const ExportKind &kind, Replaces replaces);

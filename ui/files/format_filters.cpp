@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
@@ -108,6 +110,14 @@ std::vector<ExportKind> exportKinds()
         kinds.back().isSkin = true;
     }
     return kinds;
+}
+
+ExportKind exportKindNamed(const QString &key)
+{
+    const std::vector<ExportKind> kinds = exportKinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                    [&key](const ExportKind &kind) { return kind.key == key; });
+    return found == kinds.end() ? kinds.front() : *found;
 }
 
 } // namespace fff::ui

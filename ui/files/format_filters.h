@@ -30,5 +30,7 @@ struct ExportKind
 };
 /// Never empty; cutting files first.
 std::vector<ExportKind> exportKinds();
+/// The first where there is none of this key (any more).
+ExportKind exportKindNamed(const QString &key);
 
 } // namespace fff::ui

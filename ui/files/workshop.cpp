@@ -2,8 +2,8 @@
 
 #include "core/analysis/planned.h"
 #include "core/io/error_text.h"
-#include "core/session/assembly_steps.h"
 #include "core/io/full_stop.h"
+#include "core/session/assembly_steps.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "ui/base/file_dialog.h"
@@ -51,13 +51,20 @@ StepsFiles::Options paperOptions(const QWidget &window, const QString &title)
 
 } // namespace
 
+QString workshopFolder(const QString &model)
+{
+    const QFileInfo file(model);
+    return file.fileName().endsWith(folderName({}))
+               ? model
+               : file.dir().filePath(folderName(file.fileName()));
+}
+
 QString askForWorkshopFolder(QWidget *parent, const QString &suggestion)
 {
-    const QFileInfo model(suggestion);
-    const bool hasName = model.fileName().endsWith(folderName({})); // it was one before
-    const QString name = hasName ? model.fileName() : folderName(model.fileName());
+    const QFileInfo folder(workshopFolder(suggestion));
+    const QString name = folder.fileName();
     FileDialog dialog(parent, WorkshopTexts::tr("Where to put the folder “%1”").arg(name),
-                      model.absolutePath());
+                      folder.absolutePath());
     dialog.setObjectName(QStringLiteral("exportFolderDialog"));
     dialog.setFileMode(QFileDialog::Directory);
     dialog.setOption(QFileDialog::ShowDirsOnly);

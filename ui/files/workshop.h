@@ -16,8 +16,10 @@ class Session;
 
 namespace fff::ui {
 
-/// A folder of its own for a model's files, in one that a person chooses; it may not be there yet.
-/// Empty: none was chosen. suggestion  path of the model without a suffix
+/// A folder of its own for a model's files, beside them; it may not be there yet.
+/// model  its path without a suffix, or that of such a folder
+QString workshopFolder(const QString &model);
+/// The same in one that a person chooses. Empty: none was chosen.
 QString askForWorkshopFolder(QWidget *parent, const QString &suggestion);
 
 /// The files in that folder, which is made where there is none: what comes of that is said when

@@ -1,5 +1,5 @@
-// A hand at the Export panel: opens it as a person does, acts while it is there, and names a file
-// in the box that follows.
+// A hand at the Export panel: opens it as a person does, acts while it is there, and says where the
+// file goes.
 #pragma once
 
 #include "tests/ui/window_fixture.h"
@@ -40,7 +40,7 @@ inline void inExportPanel(MainWindow &window, const std::function<void(QDialog *
     QVERIFY(isSeen);
 }
 
-/// Answers the file box that comes next.
+/// Answers the file box that comes next, whoever opens it.
 inline void nameTheFile(const QString &path)
 {
     auto *timer = new QTimer(qApp);
@@ -60,6 +60,20 @@ inline void nameTheFile(const QString &path)
 inline QAbstractButton *exportButton(QDialog *dialog)
 {
     return dialog->findChild<QAbstractButton *>(QStringLiteral("exportNow"));
+}
+
+/// Chooses where it goes: in the file box that the link opens.
+inline void chooseFile(QDialog *dialog, const QString &path)
+{
+    nameTheFile(path);
+    auto *change = dialog->findChild<QWidget *>(QStringLiteral("exportChangePlace"));
+    QTest::mouseClick(change->findChild<QAbstractButton *>(), Qt::LeftButton);
+}
+
+inline void exportTo(QDialog *dialog, const QString &path)
+{
+    chooseFile(dialog, path);
+    QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
 }
 
 /// As a person types it, with Enter.

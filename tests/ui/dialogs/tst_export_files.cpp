@@ -89,8 +89,7 @@ void TestExportFiles::aUseThenAFile()
         chooseRow(dialog, "exportFile", QStringLiteral("PDF, tiled on Letter"));
         chooseRow(dialog, "exportUse", QStringLiteral("Cutting"));
         QVERIFY(box("exportFile")->currentText().startsWith(QStringLiteral("DXF for old")));
-        nameTheFile(file("old.dxf"));
-        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        exportTo(dialog, file("old.dxf"));
     });
     QVERIFY(written("old.dxf").find("AC1009") != std::string::npos);
     inExportPanel(*m_window, [&](QDialog *dialog) {
@@ -109,8 +108,7 @@ void TestExportFiles::aFolderForTheWorkshop()
     inExportPanel(*m_window, [&](QDialog *dialog) {
         chooseRow(dialog, "exportUse", QStringLiteral("Everything"));
         chooseRow(dialog, "exportFile", QStringLiteral("All for the workshop, in a folder"));
-        nameTheFile(QFileInfo(file("chair.fff")).absolutePath());
-        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        exportTo(dialog, QFileInfo(file("chair.fff")).absolutePath());
     });
     const QDir folder(file("chair for the workshop"));
     QVERIFY(folder.exists());
@@ -128,8 +126,7 @@ void TestExportFiles::aFolderForTheWorkshop()
     // Another file goes beside the folder, by the model's name.
     inExportPanel(*m_window, [&](QDialog *dialog) {
         chooseRow(dialog, "exportFile", QStringLiteral("All for the workshop, packed"));
-        nameTheFile(file("chair.zip"));
-        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        exportTo(dialog, file("chair.zip"));
     });
     const auto packed = io::entryNames(written("chair.zip"), "chair.zip");
     QVERIFY(packed);
@@ -147,16 +144,14 @@ void TestExportFiles::bridgesAreSeenAndSwitchedOff()
         QVERIFY(followed(dialog).isEmpty());
         typeInto(dialog, "exportBridges", QStringLiteral("3"));
         QTRY_VERIFY(followed(dialog).toSubpathPolygons().size() >= 3);
-        nameTheFile(file("bridges.svg"));
-        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        exportTo(dialog, file("bridges.svg"));
     });
     QVERIFY(rememberedChoices().cuts().tabs == 3);
     inExportPanel(*m_window, [&](QDialog *dialog) {
         QTRY_VERIFY(followed(dialog).toSubpathPolygons().size() >= 3);
         typeInto(dialog, "exportBridges", QStringLiteral("0"));
         QTRY_VERIFY(followed(dialog).isEmpty());
-        nameTheFile(file("whole.svg"));
-        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        exportTo(dialog, file("whole.svg"));
     });
     const auto count = [](const std::string &svg) {
         return QString::fromStdString(svg).count(QStringLiteral("stroke=\"#ff0000\""));
@@ -167,8 +162,7 @@ void TestExportFiles::bridgesAreSeenAndSwitchedOff()
     // Another machine that has none of its own leaves them so.
     inExportPanel(*m_window, [&](QDialog *dialog) {
         chooseRow(dialog, "exportMachine", QStringLiteral("Atomstack"));
-        nameTheFile(file("other.svg"));
-        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+        exportTo(dialog, file("other.svg"));
     });
     QCOMPARE(rememberedChoices().finish, std::optional(CutFinish()));
 }

@@ -231,13 +231,13 @@ void TestExportLooks::allOfItIsReachedByTab()
                 reached += at->objectName();
         }
         for (const char *name :
-             {"exportMeasure",     "exportThickness",  "exportSheet",   "exportSheetWidth",
-              "exportSheetHeight", "exportUse",        "exportFile",    "exportKerf",
-              "exportClearance",   "exportSpacing",    "exportMargin",  "exportRotation",
-              "exportReference",   "exportFittedSlit", "exportBridges", "exportBridgeWidth",
-              "exportLead",        "exportSharedCuts", "exportMachine", "exportTabs",
-              "exportNextSheet",   "sheetView",        "exportRemarks", "exportOpensFolder",
-              "exportCancel",      "exportNow"})
+             {"exportMeasure",     "exportThickness", "exportSheet",      "exportSheetWidth",
+              "exportSheetHeight", "exportUse",       "exportFile",       "exportChangePlace",
+              "exportKerf",        "exportClearance", "exportSpacing",    "exportMargin",
+              "exportRotation",    "exportReference", "exportFittedSlit", "exportBridges",
+              "exportBridgeWidth", "exportLead",      "exportSharedCuts", "exportMachine",
+              "exportTabs",        "exportNextSheet", "sheetView",        "exportRemarks",
+              "exportOpensFolder", "exportCancel",    "exportNow"})
             QVERIFY2(reached.contains(QLatin1String(name)), name);
     });
 }

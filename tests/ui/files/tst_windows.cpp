@@ -416,6 +416,8 @@ void TestWindows::aModelIsNotExportedOver()
     openFiles(*m_window, {path});
     whenShown<QDialog>("exportDialog", [&path](QDialog *panel) {
         typeName(path);
+        auto *change = panel->findChild<QWidget *>(QStringLiteral("exportChangePlace"));
+        QTest::mouseClick(change->findChild<QAbstractButton *>(), Qt::LeftButton);
         QTest::mouseClick(panel->findChild<QPushButton *>(QStringLiteral("exportNow")),
                           Qt::LeftButton);
     });
