@@ -3393,6 +3393,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>Das einfache Fenster kommt ohne das aus; in den Einstellungen gibt es das ganze</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Dein erstes Modell in 3 &amp;Minuten</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Schritt für Schritt ein Modell zeichnen, prüfen und ausschneiden, in einem leeren Fenster</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14604,6 +14616,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Show at startup</source>
         <translation>Beim Start zeigen</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Dein erstes Modell in 3 Minuten</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Ein Modell zeichnen, prüfen und ausschneiden, Schritt für Schritt</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15450,6 +15470,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Dicke</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Rundgang, Schritt %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Zeichne einen Körper.&lt;/b&gt; Drücke mitten in der Ansicht und zeichne seinen Umriss in einem Zug, bis auf den Boden.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Zeichne eine Scheibe quer dazu.&lt;/b&gt; Drücke im Körper, ziehe über seinen Rand hinaus, halte die Taste gedrückt und zeichne den Umriss, wieder bis auf den Boden.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Sieh dich um.&lt;/b&gt; Neben dem Modell ziehen dreht es; das Rad holt es näher.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Miss deine Platte.&lt;/b&gt; Klicke rechts in der Werkzeugleiste auf ihr Material und gib die Dicke ein: Alle Schlitze folgen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;Wird es halten?&lt;/b&gt; Die Urteile über der Ansicht sagen es. Ein Klick auf eines sagt mehr.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Wiederhole sie.&lt;/b&gt; Wähle &lt;b&gt;Reihe&lt;/b&gt;, dann klicke, wonach gefragt wird: Kopien stehen in einer Reihe am Körper entlang.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Schneide es aus.&lt;/b&gt; &lt;b&gt;Exportieren …&lt;/b&gt; zeigt die Platten und schreibt die Datei für den Cutter.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;Das ist ein ganzes Modell,&lt;/b&gt; vom ersten Strich bis zur Datei. &lt;b&gt;F1&lt;/b&gt; erzählt mehr.</translation>
     </message>
 </context>
 <context>

@@ -3393,6 +3393,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>La ventana sencilla no lo tiene; en Preferencias está la completa</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Tu primer modelo en 3 minutos</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Dibujar, revisar y cortar un modelo paso a paso, en una ventana vacía</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14604,6 +14616,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Tu primer modelo en 3 minutos</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Dibujar, revisar y cortar un modelo, paso a paso</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15450,6 +15470,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Grosor</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Saltar este paso</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Recorrido</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Recorrido, paso %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Dibuja un cuerpo.&lt;/b&gt; Pulsa en el centro de la vista y dibuja su contorno de un solo trazo, hasta el suelo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Dibuja una sección que lo cruce.&lt;/b&gt; Pulsa dentro del cuerpo, arrastra hacia fuera por su borde, mantén el botón pulsado y dibuja el contorno, otra vez hasta el suelo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Mira alrededor.&lt;/b&gt; Arrastra junto al modelo para girarlo; con la rueda te acercas.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Mide tu plancha.&lt;/b&gt; Haz clic en su material, a la derecha de la barra de herramientas, y escribe su grosor: todas las ranuras lo siguen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;¿Funcionará?&lt;/b&gt; Lo dicen los veredictos sobre la vista. Haz clic en uno para leer más.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Repítela.&lt;/b&gt; Elige &lt;b&gt;Fila&lt;/b&gt; y haz clic en lo que te pida: las copias se colocan en fila a lo largo del cuerpo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Córtalo.&lt;/b&gt; &lt;b&gt;Exportar…&lt;/b&gt; muestra las planchas y escribe el archivo para la cortadora.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;Ya tienes un modelo entero,&lt;/b&gt; del primer trazo al archivo. &lt;b&gt;F1&lt;/b&gt; cuenta más.</translation>
     </message>
 </context>
 <context>

@@ -3393,6 +3393,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>La fenêtre simple s’en passe ; les Préférences ramènent la fenêtre complète</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Premier modèle en 3 minutes</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Dessiner, vérifier et découper un modèle pas à pas, dans une fenêtre vide</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14604,6 +14616,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Premier modèle en 3 minutes</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Dessiner, vérifier et découper un modèle, une étape à la fois</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15450,6 +15470,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Épaisseur</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Passer cette étape</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminer la visite</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Visite guidée, étape %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Dessinez un corps.&lt;/b&gt; Appuyez au milieu de la vue et tracez son contour d’un seul trait, jusqu’au sol.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Dessinez une section en travers.&lt;/b&gt; Appuyez dans le corps, sortez-en par-dessus son bord, gardez le bouton enfoncé et tracez le contour, de nouveau jusqu’au sol.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Regardez autour.&lt;/b&gt; Faites glisser à côté du modèle pour le tourner, et la molette pour vous rapprocher.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Mesurez votre plaque.&lt;/b&gt; Cliquez sur son matériau à droite de la barre d’outils et saisissez son épaisseur : toutes les fentes suivent.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;Est-ce que cela tiendra ?&lt;/b&gt; Les verdicts au-dessus de la vue le disent. Cliquez sur l’un d’eux pour en savoir plus.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Répétez-la.&lt;/b&gt; Choisissez &lt;b&gt;Rangée&lt;/b&gt;, puis cliquez sur ce qui est demandé : les copies se rangent le long du corps.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Découpez.&lt;/b&gt; &lt;b&gt;Exporter…&lt;/b&gt; montre les plaques et écrit le fichier pour la découpeuse.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;Voilà un modèle entier,&lt;/b&gt; du premier trait au fichier. &lt;b&gt;F1&lt;/b&gt; en dit plus.</translation>
     </message>
 </context>
 <context>

@@ -3393,6 +3393,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>La finestra semplice ne fa a meno; nelle Impostazioni c’è quella completa</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Il tuo primo modello in 3 minuti</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visita guidata</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Disegnare, controllare e tagliare un modello passo passo, in una finestra vuota</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14604,6 +14616,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Il tuo primo modello in 3 minuti</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Disegnare, controllare e tagliare un modello, un passo alla volta</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15450,6 +15470,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Spessore</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Salta questo passo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Termina la visita</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Visita guidata</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Visita guidata, passo %1 di %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Disegna un corpo.&lt;/b&gt; Premi in mezzo alla vista e traccia il suo contorno in un solo tratto, fino al suolo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Disegna una sezione di traverso.&lt;/b&gt; Premi dentro il corpo, trascina fuori oltre il bordo, tieni premuto il pulsante e traccia il contorno, di nuovo fino al suolo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Guardati attorno.&lt;/b&gt; Trascina accanto al modello per ruotarlo; con la rotella ti avvicini.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Misura la tua lastra.&lt;/b&gt; Fai clic sul suo materiale, a destra nella barra degli strumenti, e scrivi lo spessore: tutte le fessure lo seguono.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;Funzionerà?&lt;/b&gt; Lo dicono i verdetti sopra la vista. Fai clic su uno per saperne di più.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Ripetila.&lt;/b&gt; Scegli &lt;b&gt;Fila&lt;/b&gt;, poi fai clic su ciò che chiede: le copie stanno in fila lungo il corpo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Taglialo.&lt;/b&gt; &lt;b&gt;Esporta…&lt;/b&gt; mostra le lastre e scrive il file per la macchina da taglio.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;Ecco un modello intero,&lt;/b&gt; dal primo tratto al file. &lt;b&gt;F1&lt;/b&gt; dice di più.</translation>
     </message>
 </context>
 <context>

@@ -3366,6 +3366,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>シンプルなウィンドウにはありません。「設定」ですべて表示できます</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>3 分で最初のモデル</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>空のウィンドウで、モデルを描き、チェックし、カットするまでを一歩ずつ</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14484,6 +14496,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1、%2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>3 分で最初のモデル</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>モデルを描き、チェックし、カットするまでを一歩ずつ</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15318,6 +15338,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>厚さ</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>この手順をとばす</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>ツアーを終える</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>ツアー、手順 %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;胴体を描きましょう。&lt;/b&gt;ビューの真ん中でボタンを押し、輪郭を地面まで一筆で描きます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;それを横切る板を描きましょう。&lt;/b&gt;胴体の内側でボタンを押し、縁を越えて外へドラッグし、押したまま輪郭をまた地面まで描きます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;見回しましょう。&lt;/b&gt;モデルの横をドラッグすると回り、ホイールで近づきます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;シートを測りましょう。&lt;/b&gt;ツールバー右側の材料をクリックして厚さを入力すると、すべてのスリットが合わせて変わります。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;うまくいくでしょうか。&lt;/b&gt;ビューの上の判定でわかります。クリックすると詳しく読めます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;くり返しましょう。&lt;/b&gt;&lt;b&gt;列&lt;/b&gt;を選び、求められたものをクリックすると、コピーが胴体に沿って並びます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;カットしましょう。&lt;/b&gt;&lt;b&gt;書き出し…&lt;/b&gt;はシートを見せ、カット用のファイルを書きます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;これでモデルが一つ、&lt;/b&gt;最初の一筆からファイルまでできました。&lt;b&gt;F1&lt;/b&gt; に続きがあります。</translation>
     </message>
 </context>
 <context>

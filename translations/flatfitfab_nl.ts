@@ -3393,6 +3393,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>Het eenvoudige venster doet het zonder; bij Instellingen zit het hele</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Je eerste model in 3 minuten</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rondleiding</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Stap voor stap een model tekenen, controleren en snijden, in een leeg venster</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14604,6 +14616,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Je eerste model in 3 minuten</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Een model tekenen, controleren en snijden, stap voor stap</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15450,6 +15470,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Dikte</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Sla over</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rondleiding stoppen</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Rondleiding</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Rondleiding, stap %1 van %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Teken een lijf.&lt;/b&gt; Druk midden in het beeld en teken de omtrek in één haal, tot op de grond.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Teken er een sectie dwars op.&lt;/b&gt; Druk in het lijf, sleep over de rand naar buiten, houd de knop ingedrukt en teken de omtrek, weer tot op de grond.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Kijk rond.&lt;/b&gt; Sleep naast het model om het te draaien; met het wiel kom je dichterbij.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Meet je plaat.&lt;/b&gt; Klik rechts op de werkbalk op het materiaal en typ de dikte: alle sleuven volgen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;Werkt het?&lt;/b&gt; De oordelen boven het beeld zeggen het. Klik er een aan om meer te lezen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Herhaal haar.&lt;/b&gt; Kies &lt;b&gt;Rij&lt;/b&gt; en klik aan waar om gevraagd wordt: kopieën staan op een rij langs het lijf.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Snijd het.&lt;/b&gt; &lt;b&gt;Exporteren…&lt;/b&gt; toont de platen en schrijft het bestand voor de snijmachine.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;Dat is een heel model,&lt;/b&gt; van de eerste haal tot het bestand. &lt;b&gt;F1&lt;/b&gt; vertelt meer.</translation>
     </message>
 </context>
 <context>

@@ -3420,6 +3420,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>Proste okno obywa się bez tego; pełne jest w Ustawieniach</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Pierwszy model w 3 minuty</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Przewodnik</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Krok po kroku narysuj, sprawdź i wytnij model, w pustym oknie</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14724,6 +14736,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Pierwszy model w 3 minuty</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Narysuj, sprawdź i wytnij model, krok po kroku</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15582,6 +15602,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Grubość</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Pomiń ten krok</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Zakończ przewodnik</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Przewodnik</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Przewodnik, krok %1 z %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Narysuj tułów.&lt;/b&gt; Naciśnij na środku widoku i jednym pociągnięciem narysuj jego obrys, aż do podłoża.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Narysuj płytkę w poprzek.&lt;/b&gt; Naciśnij wewnątrz tułowia, przeciągnij na zewnątrz przez jego krawędź, nie puszczaj przycisku i narysuj obrys, znów aż do podłoża.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Rozejrzyj się.&lt;/b&gt; Przeciągnij obok modelu, aby go obrócić; kółkiem się przybliżysz.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Zmierz swój arkusz.&lt;/b&gt; Kliknij jego materiał po prawej stronie paska narzędzi i wpisz grubość: wszystkie szczeliny się dopasują.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;Czy to zadziała?&lt;/b&gt; Mówią o tym oceny nad widokiem. Kliknij jedną z nich, aby przeczytać więcej.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Powtórz ją.&lt;/b&gt; Wybierz &lt;b&gt;Rząd&lt;/b&gt;, a potem kliknij to, o co prosi: kopie staną w rzędzie wzdłuż tułowia.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Wytnij.&lt;/b&gt; &lt;b&gt;Eksportuj…&lt;/b&gt; pokazuje arkusze i zapisuje plik dla wycinarki.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;To cały model,&lt;/b&gt; od pierwszej kreski do pliku. &lt;b&gt;F1&lt;/b&gt; powie więcej.</translation>
     </message>
 </context>
 <context>

@@ -3393,6 +3393,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>A janela simples não tem isto; nas Configurações está a completa</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>Primeiro modelo em 3 minutos</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Tour</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>Desenhar, verificar e cortar um modelo passo a passo, em uma janela vazia</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14604,6 +14616,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>Primeiro modelo em 3 minutos</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>Desenhar, verificar e cortar um modelo, um passo de cada vez</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15450,6 +15470,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>Espessura</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>Pular este passo</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Encerrar o tour</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>Tour</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>Tour, passo %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;Desenhe um corpo.&lt;/b&gt; Pressione no meio da vista e desenhe o contorno em um só traço, até o chão.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Desenhe uma seção que o atravesse.&lt;/b&gt; Pressione dentro do corpo, arraste para fora pela borda, mantenha o botão pressionado e desenhe o contorno, de novo até o chão.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;Olhe em volta.&lt;/b&gt; Arraste ao lado do modelo para girá-lo; use a roda para chegar mais perto.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;Meça sua chapa.&lt;/b&gt; Clique no material dela, à direita da barra de ferramentas, e digite a espessura: todas as fendas acompanham.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;Vai funcionar?&lt;/b&gt; Os veredictos sobre a vista respondem. Clique em um para ler mais.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;Repita.&lt;/b&gt; Escolha &lt;b&gt;Fileira&lt;/b&gt; e clique no que for pedido: as cópias ficam em fileira ao longo do corpo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Corte.&lt;/b&gt; &lt;b&gt;Exportar…&lt;/b&gt; mostra as chapas e grava o arquivo para a cortadora.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;Eis um modelo inteiro,&lt;/b&gt; do primeiro traço ao arquivo. &lt;b&gt;F1&lt;/b&gt; conta mais.</translation>
     </message>
 </context>
 <context>

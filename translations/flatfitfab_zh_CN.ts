@@ -3366,6 +3366,18 @@
         <source>The simple window does without it; Settings have the whole one</source>
         <translation>简洁窗口里没有它；在“设置”中可换回完整窗口</translation>
     </message>
+    <message>
+        <source>Your first model in 3 &amp;minutes</source>
+        <translation>3 分钟做出第一个模型</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model step by step, in an empty window</source>
+        <translation>在空窗口里一步步画出、检查并切割一个模型</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -14484,6 +14496,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 is a number of sections, %2 when it was opened last</extracomment>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>Your first model in 3 minutes</source>
+        <translation>3 分钟做出第一个模型</translation>
+    </message>
+    <message>
+        <source>Draw, check and cut a model, one step at a time</source>
+        <translation>一步步画出、检查并切割一个模型</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -15318,6 +15338,65 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness</source>
         <translation>厚度</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourCard</name>
+    <message>
+        <source>Skip this step</source>
+        <translation>跳过这一步</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>结束导览</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <extracomment>%1 is the number of a step, %2 how many there are</extracomment>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>Tour, step %1 of %2</source>
+        <translation>导览，第 %1 步，共 %2 步</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::TourGuide</name>
+    <message>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
+        <translation>&lt;b&gt;画一个身体。&lt;/b&gt;在视图中间按下，一笔画出轮廓，一直到地面。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;画一个横穿它的插片。&lt;/b&gt;在身体里面按下，拖过边缘到外面，不要松开，接着画出轮廓，同样到地面。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
+        <translation>&lt;b&gt;四处看看。&lt;/b&gt;在模型旁边拖动可以转动它；滚动滚轮可以靠近。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
+        <translation>&lt;b&gt;量一量你的板材。&lt;/b&gt;点击工具栏右侧的材料，输入厚度：所有插槽都会跟着变。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
+        <translation>&lt;b&gt;行得通吗？&lt;/b&gt;视图上方的结论会告诉你。点击其中一个可以了解更多。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
+        <translation>&lt;b&gt;重复它。&lt;/b&gt;选择&lt;b&gt;成排&lt;/b&gt;，再点击它要求的对象：副本沿着身体排成一排。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
+        <translation>&lt;b&gt;切出来。&lt;/b&gt;&lt;b&gt;导出…&lt;/b&gt;会显示板材，并写出切割机用的文件。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
+        <translation>&lt;b&gt;一个完整的模型就做好了，&lt;/b&gt;从第一笔到文件。按 &lt;b&gt;F1&lt;/b&gt; 了解更多。</translation>
     </message>
 </context>
 <context>

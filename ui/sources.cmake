@@ -189,6 +189,10 @@ target_sources(fff_ui PRIVATE
     steps/steps_bar.cpp
     steps/steps_export.cpp
     steps/steps_view.cpp
+    tour/tour.cpp
+    tour/tour_card.cpp
+    tour/tour_guide.cpp
+    tour/tour_hint.cpp
     window/adjust_bar.cpp
     window/badge.cpp
     window/badges.cpp
@@ -199,6 +203,7 @@ target_sources(fff_ui PRIVATE
     window/main_tool_bar.cpp
     window/main_window.cpp
     window/main_window_scope.cpp
+    window/main_window_tour.cpp
     window/main_window_commands.cpp
     window/main_window_imports.cpp
     window/operation_notices.cpp

@@ -95,6 +95,7 @@ set(windows
     ui/tst_script_player
     ui/tst_template_window
     ui/tst_transform_window
+    ui/tour/tst_tour
     ui/tst_weight_keys
     ui/window/tst_adjusting
     ui/window/tst_simple_window

@@ -28,13 +28,13 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "view.clip view.skin | view.isolate view.showAll | >panels view.fullScreen"},
         {QT_TR_NOOP("&Section"),
          "section.symmetry section.ground section.snap | section.pen >plane section.addShape "
-         "section.mark | section.transform section.addHole"},
+         "section.mark | section.transform"},
         {QT_TR_NOOP("&Operation"),
          "operation.linear operation.revolve operation.blend operation.branch operation.grid "
          "operation.radial | operation.rotational operation.array"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.showAssembly | physics.addWeight "
                                 "check.stress"},
-        {QT_TR_NOOP("&Help"), "help.firstSteps edit.find help.start | help.about"},
+        {QT_TR_NOOP("&Help"), "help.tour help.firstSteps edit.find help.start | help.about"},
 
         {QT_TR_NOOP("&Look from"),
          "view.front view.top view.right view.back view.bottom view.left view.iso", "faces"},
@@ -71,7 +71,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
          kSearchedMenu},
         {QT_TR_NOOP("&Section"),
          "section.addCircle section.addEllipse section.addRectangle section.addPolygon "
-         "section.addStar section.addSlot section.redraw section.takeOffer section.takeGuide "
+         "section.addStar section.addSlot section.redraw section.addHole section.takeOffer "
+         "section.takeGuide "
          "mark.engrave "
          "mark.score "
          "section.importContour section.importHoles section.importMarks section.removeHoles "

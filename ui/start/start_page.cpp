@@ -79,6 +79,10 @@ QWidget *StartPage::makeLeft()
     font.setWeight(QFont::DemiBold);
     begin->setFont(font);
     setFocusProxy(begin);
+    auto *tour = new QPushButton(tr("Your first model in 3 minutes"), left);
+    tour->setObjectName(QStringLiteral("startTour"));
+    tour->setToolTip(tr("Draw, check and cut a model, one step at a time"));
+    tour->setMinimumHeight(36);
     auto *open = new QPushButton(themedIcon(QStringLiteral("open")), tr("Open…"), left);
     open->setObjectName(QStringLiteral("startOpen"));
     open->setToolTip(tr("Open a model, also from FlatFab"));
@@ -90,6 +94,7 @@ QWidget *StartPage::makeLeft()
     atStart->setObjectName(QStringLiteral("startShows"));
     atStart->setChecked(settings().showsStartPage());
     connect(begin, &QPushButton::clicked, this, &StartPage::newWanted);
+    connect(tour, &QPushButton::clicked, this, &StartPage::tourWanted);
     connect(open, &QPushButton::clicked, this, &StartPage::openWanted);
     connect(atStart, &QCheckBox::toggled, this,
             [](bool shows) { settings().setShowsStartPage(shows); });
@@ -101,6 +106,7 @@ QWidget *StartPage::makeLeft()
     column->setSpacing(12);
     column->addWidget(makeHeading(QStringLiteral("FlatFitFab")));
     column->addWidget(begin);
+    column->addWidget(tour);
     column->addWidget(open);
     column->addSpacing(4);
     column->addWidget(note);

@@ -32,6 +32,7 @@ public:
 
 Q_SIGNALS:
     void newWanted();
+    void tourWanted();
     void openWanted();
     void fileChosen(const QString &path);
     void sampleChosen(const QString &path);

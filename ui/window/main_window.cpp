@@ -34,6 +34,7 @@
 #include "ui/start/start_page.h"
 #include "ui/steps/steps_export.h"
 #include "ui/steps/steps_view.h"
+#include "ui/tour/tour_guide.h"
 #include "ui/window/adjust_bar.h"
 #include "ui/window/badges.h"
 #include "ui/window/canvas_bar.h"
@@ -103,6 +104,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     addToolBar(m_toolBar);
     makeMenus();
     makeScope();
+    makeTour();
     m_layout->restore();
     refreshTheme();
 
@@ -334,6 +336,7 @@ void MainWindow::showStartPage()
     if (m_middle->count() == 1) {
         auto *page = new StartPage(m_middle);
         connect(page, &StartPage::newWanted, this, [this] { startNewDocument(*this); });
+        connect(page, &StartPage::tourWanted, this, &MainWindow::startTour);
         connect(page, &StartPage::openWanted, this, [this] { m_files->open(); });
         connect(page, &StartPage::fileChosen, this,
                 [this](const QString &path) { openFiles({path}); });
@@ -430,6 +433,7 @@ void MainWindow::refreshTheme()
     m_templates->refreshColours();
     m_badges->refreshColours();
     m_viewChips->refreshColours();
+    m_tour->refreshColours();
     m_bar->update();
     m_steps->refresh();
     if (m_stocks)

@@ -37,6 +37,7 @@ class StatusLine;
 class StepsExport;
 class StepsView;
 class StockEditor;
+class TourGuide;
 class UnsavedWork;
 class ValuesDock;
 class Viewport;
@@ -95,6 +96,8 @@ private:
     void tellImported(const MeshImported &imported);
     void connectTemplates();
     void makeScope();
+    void makeTour();
+    void startTour();
     bool isOnlyAdjusted();
     void run(const QString &id);
     void openFiles(const QStringList &paths);
@@ -123,6 +126,7 @@ private:
     CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand
     StepsView *m_steps = nullptr; // of the assembly
     StepsExport *m_stepsExport = nullptr;
+    TourGuide *m_tour = nullptr;
     // Once they were asked for.
     StockEditor *m_stocks = nullptr;
     HelpWindow *m_help = nullptr;

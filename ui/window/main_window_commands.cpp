@@ -105,6 +105,9 @@ constexpr CommandWords kWords[] = {
      "search", FFF_TEXT("Command", "Type to find anything that the program can do")},
     {"help.firstSteps", FFF_TEXT("Command", "First ste&ps"), FFF_TEXT("Command", "First steps"),
      "F1", "help", FFF_TEXT("Command", "How a model is made, step by step, with pictures")},
+    {"help.tour", FFF_TEXT("Command", "Your first model in 3 &minutes"),
+     FFF_TEXT("Command", "Tour"), "", "play",
+     FFF_TEXT("Command", "Draw, check and cut a model step by step, in an empty window")},
     {"help.start", FFF_TEXT("Command", "&Start page"), FFF_TEXT("Command", "Start page"), "",
      "start", FFF_TEXT("Command", "Recent models and samples")},
     {"help.about", FFF_TEXT("Command", "&About FlatFitFab"), FFF_TEXT("Command", "About"), "",
@@ -171,6 +174,7 @@ void MainWindow::addCommands()
     add("file.quit", [] { closeAllWindows(); });
     add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });
     add("help.firstSteps", [this] { showHelp(QStringLiteral("first_steps")); });
+    add("help.tour", [this] { startTour(); });
     add("help.start", [this] { showStartPage(); });
     add(
         "view.docks", [this] { m_layout->setHidden(!m_layout->isHidden()); }, {},

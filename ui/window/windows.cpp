@@ -93,10 +93,11 @@ int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
     return count;
 }
 
-void startNewDocument(MainWindow &from)
+MainWindow &startNewDocument(MainWindow &from)
 {
-    MainWindow *window = from.files().isEmpty() ? &from : openWindow(&from);
-    window->showDocument();
+    MainWindow &window = from.files().isEmpty() ? from : *openWindow(&from);
+    window.showDocument();
+    return window;
 }
 
 bool closeAllWindows()

@@ -19,8 +19,9 @@ MainWindow *openWindow(const MainWindow *beside = nullptr);
 /// Returns how many were opened or found open.
 int openFiles(MainWindow &from, const QStringList &paths, bool asCopy = false);
 
-/// An empty document, in `from` while nothing was done in it, else in a new window.
-void startNewDocument(MainWindow &from);
+/// An empty document, in `from` while nothing was done in it, else in a new window, which is
+/// returned.
+MainWindow &startNewDocument(MainWindow &from);
 
 /// Asks for each window that has unsaved changes, closes all, or none when one of the questions was
 /// given up.

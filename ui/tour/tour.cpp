@@ -1,0 +1,121 @@
+#include "ui/tour/tour.h"
+
+#include "core/base/units.h"
+#include "ui/bench/workbench.h"
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+/// Turned or zoomed by so much, somebody has tried it.
+const double kTurned = radians(12.0);
+constexpr double kZoomed = 1.25;
+
+std::vector<double> thicknessesOf(const Document &document)
+{
+    std::vector<double> all;
+    for (const auto &stock : document.stocks)
+        all.push_back(stock->thickness);
+    return all;
+}
+
+} // namespace
+
+Tour::Tour(Workbench &bench, QObject *parent) : QObject(parent), m_bench(bench)
+{
+    connect(&bench.session(), &Session::committedChanged, this, &Tour::followModel);
+    connect(&bench.session(), &Session::replaced, this, &Tour::end);
+    connect(&bench, &Workbench::viewChanged, this, &Tour::followView);
+}
+
+void Tour::begin(bool canRepeat)
+{
+    m_steps = {Step::Draw, Step::Cross, Step::Turn, Step::Thickness, Step::Check};
+    if (canRepeat)
+        m_steps.push_back(Step::Repeat);
+    m_steps.push_back(Step::Export);
+    m_isOn = true;
+    m_hadBody = false;
+    enter(0);
+    followModel();
+}
+
+void Tour::end()
+{
+    if (std::exchange(m_isOn, false))
+        Q_EMIT changed();
+}
+
+void Tour::skip()
+{
+    if (!m_isOn || isDone())
+        return;
+    m_hadBody = false;
+    enter(m_at + 1);
+}
+
+Tour::Step Tour::step() const
+{
+    const bool isEmpty = m_bench.session().committed().sectionCount() == 0;
+    return isEmpty && m_hadBody ? Step::Draw : m_steps[m_at];
+}
+
+void Tour::did(Step what)
+{
+    if (m_isOn && !isDone() && step() == what)
+        enter(m_at + 1);
+}
+
+void Tour::enter(std::size_t at)
+{
+    m_at = at;
+    const Document &document = m_bench.session().committed().document;
+    m_operations = document.operations.size();
+    m_thicknesses = thicknessesOf(document);
+    m_camera.reset();
+    Q_EMIT changed();
+}
+
+void Tour::followModel()
+{
+    if (!m_isOn)
+        return;
+    if (isDone()) { // who goes on has read the last words
+        end();
+        return;
+    }
+    const Model &model = m_bench.session().committed();
+    const std::size_t before = m_at;
+    m_hadBody = m_hadBody || model.sectionCount() > 0;
+    if (m_steps[m_at] == Step::Draw && model.sectionCount() > 0)
+        did(Step::Draw);
+    if (m_steps[m_at] == Step::Cross && model.sectionCount() > 1)
+        did(Step::Cross);
+    if (thicknessesOf(model.document) != m_thicknesses)
+        did(Step::Thickness);
+    if (model.document.operations.size() > m_operations)
+        did(Step::Repeat);
+    if (m_at == before)
+        Q_EMIT changed(); // the body may be gone, or back
+}
+
+void Tour::followView()
+{
+    if (!m_isOn || isDone() || step() != Step::Turn)
+        return;
+    const Interaction &interaction = m_bench.interaction();
+    const Camera &now = interaction.camera();
+    // What turns by itself, as behind a stroke, was nobody's hand.
+    if (interaction.isAnimating() || !m_camera) {
+        m_camera = now;
+        return;
+    }
+    const double scale = now.millimetresPerPixel / m_camera->millimetresPerPixel;
+    if (now.orientation.angularDistance(m_camera->orientation) > kTurned ||
+        std::max(scale, 1.0 / scale) > kZoomed)
+        did(Step::Turn);
+}
+
+} // namespace fff::ui
