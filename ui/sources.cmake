@@ -131,6 +131,7 @@ target_sources(fff_ui PRIVATE
     files/template_maker.cpp
     files/unsaved_work.cpp
     files/workshop.cpp
+    files/written_files.cpp
     properties/choice_box.cpp
     properties/dimension_group.cpp
     properties/drawing_group.cpp

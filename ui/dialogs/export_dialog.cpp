@@ -166,13 +166,14 @@ void ExportDialog::takeFile()
     m_choices.files = m_questions->chosenFiles();
     m_rows->setSolids(file().isSolids);
     m_preview->setFile(file());
-    showPlace();
     refresh();
 }
 
 void ExportDialog::showPlace()
 {
-    m_questions->place().setPath(m_place.pathOf(file()), file().isFilePerSheet);
+    const Cutting *cutting = m_work->cutting();
+    const bool areSeveral = file().isFilePerSheet && (!cutting || cutting->sheetCount() > 1);
+    m_questions->place().setPath(m_place.pathOf(file()), areSeveral);
 }
 
 void ExportDialog::changePlace()
@@ -191,6 +192,7 @@ const ExportFile &ExportDialog::file() const
 void ExportDialog::refresh()
 {
     m_remarks->setRemarks(exportRemarks(m_checks, *m_work));
+    showPlace();
     refreshFoot();
     takeLeastWidth();
 }
@@ -269,7 +271,10 @@ void ExportDialog::reject()
 void ExportDialog::keyPressEvent(QKeyEvent *event)
 {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (auto *button = qobject_cast<QAbstractButton *>(focusWidget()); isEnter && button)
+    // On a switch it goes on as well: there Space is what switches.
+    if (isEnter && qobject_cast<QCheckBox *>(focusWidget()))
+        m_export->click();
+    else if (auto *button = qobject_cast<QAbstractButton *>(focusWidget()); isEnter && button)
         button->click();
     else if (event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown)
         m_preview->turnBy(event->key() == Qt::Key_PageUp ? -1 : 1);

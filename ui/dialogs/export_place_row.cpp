@@ -9,6 +9,15 @@
 
 namespace fff::ui {
 
+namespace {
+
+QString nameOf(const QDir &folder)
+{
+    return folder.isRoot() ? folder.path() : folder.dirName();
+}
+
+} // namespace
+
 ExportPlaceRow::ExportPlaceRow(QWidget *parent)
     : QWidget(parent), m_words(new QLabel(this)), m_change(new LinkRow(this))
 {
@@ -27,13 +36,17 @@ ExportPlaceRow::ExportPlaceRow(QWidget *parent)
     connect(m_change, &LinkRow::clicked, this, &ExportPlaceRow::changeWanted);
 }
 
+QString ExportPlaceRow::placeText(const QString &name, const QDir &folder)
+{
+    //: %1 is a file's name, or several, %2 their folder's
+    return tr("%1 in %2").arg(name, nameOf(folder));
+}
+
 void ExportPlaceRow::setPath(const QString &path, bool isFirst)
 {
     const QFileInfo file(path);
-    const QDir folder = file.dir();
-    const QString in = folder.isRoot() ? folder.path() : folder.dirName();
-    //: %1 is a file's name, %2 its folder's
-    m_text = (isFirst ? tr("%1 and so on, in %2") : tr("%1 in %2")).arg(file.fileName(), in);
+    m_text = isFirst ? tr("%1 and so on, in %2").arg(file.fileName(), nameOf(file.dir()))
+                     : placeText(file.fileName(), file.dir());
     const QString whole = QDir::toNativeSeparators(path);
     m_words->setToolTip(whole);
     m_words->setAccessibleName(whole);

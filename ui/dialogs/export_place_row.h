@@ -4,6 +4,7 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
+class QDir;
 class QLabel;
 
 namespace fff::ui {
@@ -15,6 +16,9 @@ class ExportPlaceRow : public QWidget
     Q_OBJECT
 public:
     explicit ExportPlaceRow(QWidget *parent = nullptr);
+
+    /// "shelf.svg in Documents"
+    static QString placeText(const QString &name, const QDir &folder);
 
     /// isFirst: of several files, which follow it by number.
     void setPath(const QString &path, bool isFirst);

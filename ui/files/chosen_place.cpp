@@ -62,8 +62,9 @@ QString askForExport(QWidget *parent, const ExportKind &kind, const QString &sug
     return dialog.target();
 }
 
-ChosenPlace::ChosenPlace(const QString &suggestion, std::optional<ExportTarget> before)
-    : m_base(suggestion)
+ChosenPlace::ChosenPlace(const QString &suggestion, std::optional<ExportTarget> before,
+                         std::function<bool(const QString &)> isOurs)
+    : m_base(suggestion), m_isOurs(std::move(isOurs))
 {
     if (before && canTake(before->path)) {
         m_before = std::move(before);
@@ -94,7 +95,8 @@ QString ChosenPlace::pathOf(const ExportFile &file) const
 
 bool ChosenPlace::change(QWidget *dialog, const ExportFile &file)
 {
-    const QString path = askForExport(dialog, exportKindNamed(file.key), m_base);
+    const QString path =
+        askForExport(dialog, exportKindNamed(file.key), file.isFolder ? target(file).path : m_base);
     if (path.isEmpty())
         return false;
     m_chosen = ExportTarget{path, file.key};
@@ -102,17 +104,12 @@ bool ChosenPlace::change(QWidget *dialog, const ExportFile &file)
     return true;
 }
 
-bool ChosenPlace::isSettled(const ExportFile &file) const
-{
-    return m_before == target(file);
-}
-
 bool ChosenPlace::mayWrite(QWidget *dialog, const ExportFile &file)
 {
     // The file box has asked about the one that was chosen there; what is in several files is known
     // only when they are made.
     const ExportTarget now = target(file);
-    return isSettled(file) || m_chosen == now || file.isFilePerSheet || file.isFolder ||
+    return m_chosen == now || file.isFilePerSheet || file.isFolder || m_isOurs(now.path) ||
            mayReplace(*dialog, {{now.path, {}}});
 }
 

@@ -5,7 +5,8 @@
 #include "ui/dialogs/export_place.h"
 #include "ui/files/export_targets.h"
 
-#include <QStringList>
+#include <functional>
+#include <optional>
 
 namespace fff::ui {
 
@@ -23,7 +24,9 @@ class ChosenPlace : public ExportPlace
 {
 public:
     /// suggestion  path without a suffix, where the model was not exported yet
-    ChosenPlace(const QString &suggestion, std::optional<ExportTarget> before);
+    /// isOurs      whether what is at a path was written by this model's exports
+    ChosenPlace(const QString &suggestion, std::optional<ExportTarget> before,
+                std::function<bool(const QString &)> isOurs);
 
     QString pathOf(const ExportFile &file) const override;
     bool change(QWidget *dialog, const ExportFile &file) override;
@@ -31,12 +34,11 @@ public:
 
     /// With the name that is typed for several numbered files: "chair.svg" for "chair-1.svg".
     ExportTarget target(const ExportFile &file) const;
-    /// It may replace what is there without a word.
-    bool isSettled(const ExportFile &file) const;
 
 private:
     QString m_base; // path without a suffix
     std::optional<ExportTarget> m_before, m_chosen;
+    const std::function<bool(const QString &)> m_isOurs;
 };
 
 } // namespace fff::ui

@@ -61,7 +61,10 @@ Exporting::Exporting(Workbench &bench, const CheckList &checks, MessageBar &mess
     : QObject(&window), m_bench(bench), m_checks(checks), m_messages(messages), m_status(status),
       m_window(window)
 {
-    connect(&bench.session(), &Session::replaced, this, [this] { m_last.reset(); });
+    connect(&bench.session(), &Session::replaced, this, [this] {
+        m_last.reset();
+        m_written.forget();
+    });
 }
 
 std::optional<ExportTarget> Exporting::target(const QString &model) const
@@ -73,7 +76,9 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
 {
     if (m_bench.session().hasPreview())
         m_bench.escape(); // a section that is still being drawn is not cut
-    ChosenPlace place(suggestion, target(model));
+    ChosenPlace place(suggestion, target(model), [this, &model](const QString &path) {
+        return m_written.isOurs(model, path);
+    });
     ExportDialog dialog(m_bench, m_checks, filesToChoose(), place, &m_window);
     const bool goesOn = dialog.exec() == QDialog::Accepted;
     if (dialog.problem())
@@ -83,8 +88,7 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
     if (!goesOn)
         return false;
     const ExportTarget target = place.target(dialog.file());
-    if (!writeTo(target, model,
-                 place.isSettled(dialog.file()) ? Replaces::Unasked : Replaces::Asking))
+    if (!writeTo(target, model, Replaces::Asked))
         return false;
     if (dialog.choices().opensFolder)
         QDesktopServices::openUrl(QUrl::fromLocalFile(
@@ -95,7 +99,7 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
 bool Exporting::again(const QString &model)
 {
     const std::optional<ExportTarget> last = target(model);
-    return last && writeTo(*last, model, Replaces::Unasked);
+    return last && writeTo(*last, model, Replaces::Asking);
 }
 
 bool Exporting::writeTo(const ExportTarget &target, const QString &model, Replaces replaces)
@@ -104,10 +108,10 @@ bool Exporting::writeTo(const ExportTarget &target, const QString &model, Replac
     m_model = model;
     if (!prepare(target.path))
         return false;
-    const bool isWritten = kind.isSkin ? writeSkin(target.path, kind)
-                           : kind.format->writesSolids()
-                               ? writeSolids(target.path, kind)
-                               : writeDrawing(target.path, kind, replaces);
+    m_replaces = replaces;
+    const bool isWritten = kind.isSkin                   ? writeSkin(target.path, kind)
+                           : kind.format->writesSolids() ? writeSolids(target.path, kind)
+                                                         : writeDrawing(target.path, kind);
     if (isWritten) {
         m_last = target;
         rememberTarget(model, target);
@@ -118,7 +122,7 @@ bool Exporting::writeTo(const ExportTarget &target, const QString &model, Replac
 
 bool Exporting::write(const QString &path)
 {
-    return writeTo({path, kindOf(path, false).key}, m_model, Replaces::Unasked);
+    return writeTo({path, kindOf(path, false).key}, m_model, Replaces::Asked);
 }
 
 bool Exporting::writeSheets(const QString &path)
@@ -145,7 +149,33 @@ bool Exporting::finishAnalysis(const QString &path)
     return !why || tellFailure(path, kindOf(path, false), *why);
 }
 
-bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replaces replaces)
+/// A single file was asked about where it was chosen; what is in several is known only now.
+bool Exporting::mayReplaceThose(const ExportKind &kind, const std::vector<io::NamedBytes> &files)
+{
+    std::vector<io::NamedBytes> others;
+    for (const io::NamedBytes &file : files)
+        if (!m_written.isOurs(m_model, file.path))
+            others.push_back({file.path, {}});
+    const bool isSingle = !kind.isFilePerSheet && !kind.isFolder;
+    return (m_replaces == Replaces::Asked && isSingle) || mayReplace(m_window, others);
+}
+
+bool Exporting::put(const QString &path, const ExportKind &kind, const QString &doing,
+                    const std::vector<io::NamedBytes> &files)
+{
+    if (!mayReplaceThose(kind, files))
+        return false;
+    const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
+        return files.size() == 1 ? io::writeFile(files[0].path, files[0].bytes)
+                                 : io::writeFiles(files);
+    });
+    if (!*written)
+        return tellFailure(path, kind, written->error());
+    m_written.remember(m_model, files);
+    return true;
+}
+
+bool Exporting::writeDrawing(const QString &path, const ExportKind &kind)
 {
     const QString name = QFileInfo(path).fileName();
     io::CuttingFileOptions options;
@@ -179,16 +209,8 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind, Replac
     } else if (kind.isFolder) {
         files = inWorkshopFolder(path, file.several);
     }
-    // The file dialog has asked about a single one.
-    if ((kind.isFilePerSheet || kind.isFolder) && replaces == Replaces::Asking &&
-        !mayReplace(m_window, files))
+    if (!put(path, kind, doing, files))
         return false;
-    const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
-        return files.size() == 1 ? io::writeFile(files[0].path, files[0].bytes)
-                                 : io::writeFiles(files);
-    });
-    if (!*written)
-        return tellFailure(path, kind, written->error());
     QStringList warnings = warningsOf(file);
     if (!steps.whyNone.isEmpty())
         warnings += steps.whyNone;
@@ -229,14 +251,15 @@ bool Exporting::writeSolids(const QString &path, const ExportKind &kind)
     const AnalysisPointer analysis = m_bench.session().analysisPointer();
     if (analysis->model.sectionCount() == 0)
         return tellFailure(path, kind, Error{ErrorCode::NothingToExport, {}, {}});
-    const auto written = inBackground<Result<void>>(
-        m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path, kind] {
-            return kind.format->writeSolids(analysis->model, analysis->bodies, kind.values)
-                .and_then(
-                    [&path](const std::string &solids) { return io::writeFile(path, solids); });
+    const QString doing = tr("Exporting %1…").arg(name);
+    const auto made =
+        inBackground<Result<std::string>>(m_window, doing, MayCancel::No, [analysis, kind] {
+            return kind.format->writeSolids(analysis->model, analysis->bodies, kind.values);
         });
-    if (!*written)
-        return tellFailure(path, kind, written->error());
+    if (!*made)
+        return tellFailure(path, kind, made->error());
+    if (!put(path, kind, doing, {{path, **made}}))
+        return false;
     m_messages.dismiss();
     m_status.say(
         tr("Exported %1 as solids to %2.")
@@ -258,12 +281,11 @@ bool Exporting::writeSkin(const QString &path, const ExportKind &kind)
         return false;
     if (!*skin || !(*skin)->mesh)
         return tellFailure(path, kind, *skin ? noSkin(**skin) : skin->error());
-    const auto written = inBackground<Result<void>>(
-        m_window, doing, MayCancel::No, [mesh = (*skin)->mesh, path, format = kind.format] {
-            return io::writeFile(path, format->writeSkin(*mesh));
-        });
-    if (!*written)
-        return tellFailure(path, kind, written->error());
+    const auto made = inBackground<std::string>(
+        m_window, doing, MayCancel::No,
+        [mesh = (*skin)->mesh, format = kind.format] { return format->writeSkin(*mesh); });
+    if (!put(path, kind, doing, {{path, *made}}))
+        return false;
     m_messages.dismiss();
     m_status.say(
         (*skin)->open > 0

@@ -8,6 +8,7 @@
 #include "core/analysis/finding.h"
 #include "ui/files/export_targets.h"
 #include "ui/files/format_filters.h"
+#include "ui/files/written_files.h"
 
 #include <QStringList>
 
@@ -57,12 +58,17 @@ Q_SIGNALS:
     void exported();
 
 private:
-    enum class Replaces { Asking, Unasked };
+    /// Whether a single file may replace what is there was asked already.
+    enum class Replaces { Asking, Asked };
 
     std::optional<ExportTarget> target(const QString &model) const;
     bool writeTo(const ExportTarget &target, const QString &model, Replaces replaces);
     bool prepare(const QString &path);
-    bool writeDrawing(const QString &path, const ExportKind &kind, Replaces replaces);
+    bool mayReplaceThose(const ExportKind &kind, const std::vector<io::NamedBytes> &files);
+    /// Writes them; path: what they are called together.
+    bool put(const QString &path, const ExportKind &kind, const QString &doing,
+             const std::vector<io::NamedBytes> &files);
+    bool writeDrawing(const QString &path, const ExportKind &kind);
     void tellDone(const io::CuttingFile &file, const QString &name);
     bool writeSolids(const QString &path, const ExportKind &kind);
     bool writeSkin(const QString &path, const ExportKind &kind);
@@ -80,6 +86,8 @@ private:
     QString m_refusal;                  // said last
     QString m_model;                    // that is exported, its file; may be empty
     std::optional<ExportTarget> m_last; // of this document
+    WrittenFiles m_written;
+    Replaces m_replaces = Replaces::Asking;
 };
 
 } // namespace fff::ui

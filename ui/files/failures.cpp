@@ -23,6 +23,13 @@ QString shownName(const QString &path)
     return name.isEmpty() ? QDir::toNativeSeparators(path) : name;
 }
 
+/// A name that nobody reads to its end takes no room that is the reason's.
+QString shortened(const QString &name)
+{
+    constexpr qsizetype kMost = 60, kEnd = 20; // letters
+    return name.size() <= kMost ? name : name.first(kMost - kEnd) + u'…' + name.last(kEnd);
+}
+
 /// "fish.txt:340" is in the file's name already; what remains is "line 340".
 QString placeInFile(const QString &name, const Error &error)
 {
@@ -75,7 +82,8 @@ QString openFailure(const QString &path, const Error &error)
 
 QString saveFailure(const QString &path, const Error &error)
 {
-    const QString name = QFileInfo(path).fileName(), folder = QFileInfo(path).absolutePath();
+    const QString name = shortened(QFileInfo(path).fileName()),
+                  folder = QFileInfo(path).absolutePath();
     const QString kept = QFileInfo::exists(path)
                              ? FailuresTexts::tr("The file on disk is still the old one.")
                              : FailuresTexts::tr("Nothing was written.");

@@ -1,8 +1,10 @@
 #include "ui/files/replace_question.h"
 
 #include "ui/base/theme.h"
+#include "ui/dialogs/export_place_row.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -25,7 +27,7 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
 {
     QStringList there;
     for (const io::NamedBytes &file : files) {
-        if (QFileInfo::exists(file.path))
+        if (QFileInfo(file.path).isFile()) // of a folder is said that it is one
             there += QFileInfo(file.path).fileName();
     }
     if (there.isEmpty())
@@ -39,12 +41,13 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
     QStringList named = there.mid(0, kMostNames);
     if (named.size() < there.size())
         named += QStringLiteral("…");
-    question.setInformativeText(named.join(QStringLiteral(", ")));
+    question.setInformativeText(ExportPlaceRow::placeText(
+        named.join(QStringLiteral(", ")), QFileInfo(files.front().path).absoluteDir()));
     QPushButton *replace =
         question.addButton(ReplaceQuestionTexts::tr("Replace"), QMessageBox::AcceptRole);
     QPushButton *back =
         question.addButton(ReplaceQuestionTexts::tr("Cancel"), QMessageBox::RejectRole);
-    question.setDefaultButton(replace);
+    question.setDefaultButton(back); // what is there may be somebody’s
     question.setEscapeButton(back);
     question.exec();
     return question.clickedButton() == replace;

@@ -3,6 +3,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "tests/ui/dialogs/export_hand.h"
 #include "tests/ui/work_folder.h"
@@ -25,6 +26,10 @@ private Q_SLOTS:
     void itIsShownAndWritten();
     void whatOthersWroteIsAskedAbout();
     void itsOwnFileIsReplacedUnasked();
+    void whatWasChangedSinceIsAskedAbout();
+    void everySheetOfOthersIsAskedAbout();
+    void twoModelsWithOneFile();
+    void enterOnASwitchGoesOn();
     void anotherPlaceIsKept();
     void aCancelledChangeChangesNothing();
     void theNameFollowsTheFormat();
@@ -35,9 +40,11 @@ private Q_SLOTS:
     void namesOfPlaceholders();
 
 private:
-    QString file(const QString &name) const { return m_folder->filePath(name); }
+    QString file(const QString &name) const { return folder() + u'/' + name; }
+    /// Of a short name: it is shown beside those of files.
+    QString folder() const { return m_folder->filePath(QStringLiteral("docs")); }
     bool has(const QString &name) const { return QFileInfo::exists(file(name)); }
-    QString where() const { return QDir(m_folder->path()).dirName(); }
+    QString where() const { return QStringLiteral("docs"); }
     void save(const QString &name);
     void put(const QString &name, const char *bytes) const;
     QByteArray bytesOf(const QString &name) const;
@@ -68,7 +75,8 @@ void enter(QDialog *dialog)
 void TestExportPlace::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
-    workIn(m_folder->path());
+    QVERIFY(QDir().mkdir(folder()));
+    workIn(folder());
     m_window = openWindow();
     m_window->show();
     m_window->bench().session().commit(QStringLiteral("draw"), squareDocument());
@@ -146,10 +154,98 @@ void TestExportPlace::itsOwnFileIsReplacedUnasked()
     QCOMPARE(bytesOf(QStringLiteral("shelf.dxf")), QByteArray("mine"));
 }
 
+// Wrong: what was written once is ours for good, whoever has worked on it since.
+void TestExportPlace::whatWasChangedSinceIsAskedAbout()
+{
+    save(QStringLiteral("shelf.fff"));
+    inExportPanel(*m_window, enter);
+    put(QStringLiteral("shelf.svg"), "edited by hand");
+    int asked = 0;
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        answer(QStringLiteral("Cancel"), &asked);
+        enter(dialog);
+    });
+    answer(QStringLiteral("Cancel"), &asked);
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    QCOMPARE(asked, 2);
+    QCOMPARE(bytesOf(QStringLiteral("shelf.svg")), QByteArray("edited by hand"));
+    // The next day as well; and what was written last is known then.
+    closeEverything();
+    m_window = openWindow();
+    QVERIFY(m_window->files().openFile(file(QStringLiteral("shelf.fff"))));
+    answer(QStringLiteral("Replace"), &asked);
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    QCOMPARE(asked, 3);
+    closeEverything();
+    m_window = openWindow();
+    QVERIFY(m_window->files().openFile(file(QStringLiteral("shelf.fff"))));
+    actionOf(*m_window, "file.exportAgain")->trigger(); // a question would hang here
+    QVERIFY(bytesOf(QStringLiteral("shelf.svg")).contains("<svg"));
+}
+
+// Wrong: of several files the first was known, so all went.
+void TestExportPlace::everySheetOfOthersIsAskedAbout()
+{
+    save(QStringLiteral("shelf.fff"));
+    const auto perSheet = [](QDialog *dialog) {
+        auto *box = dialog->findChild<QCheckBox *>(QStringLiteral("exportFilePerSheet"));
+        if (!box->isChecked())
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, 8});
+        QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
+    };
+    inExportPanel(*m_window, perSheet);
+    QVERIFY(has(QStringLiteral("shelf-1.svg")));
+    put(QStringLiteral("shelf-2.svg"), "mine");
+    Document document = squareDocument(320); // two of them do not lie beside each other
+    document = test::withSection(document, document.sections.front()->shape, test::front(100.0));
+    m_window->bench().session().commit(QStringLiteral("draw"), document);
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    inExportPanel(*m_window, perSheet);
+    QCOMPARE(asked, 1);
+    QCOMPARE(bytesOf(QStringLiteral("shelf-2.svg")), QByteArray("mine"));
+}
+
+void TestExportPlace::twoModelsWithOneFile()
+{
+    save(QStringLiteral("m.fff"));
+    inExportPanel(*m_window,
+                  [&](QDialog *dialog) { exportTo(dialog, file(QStringLiteral("same.svg"))); });
+    // Another model, another drawing, over it.
+    m_window->bench().session().commit(QStringLiteral("draw"), squareDocument(70));
+    save(QStringLiteral("n.fff"));
+    inExportPanel(*m_window,
+                  [&](QDialog *dialog) { exportTo(dialog, file(QStringLiteral("other.svg"))); });
+    QVERIFY(QFile::remove(file(QStringLiteral("same.svg"))));
+    QVERIFY(QFile::copy(file(QStringLiteral("other.svg")), file(QStringLiteral("same.svg"))));
+    const QByteArray others = bytesOf(QStringLiteral("same.svg"));
+    closeEverything();
+    m_window = openWindow();
+    QVERIFY(m_window->files().openFile(file(QStringLiteral("m.fff"))));
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    QCOMPARE(asked, 1);
+    QCOMPARE(bytesOf(QStringLiteral("same.svg")), others);
+}
+
+// Wrong: Enter switches what was switched last, and writes nothing.
+void TestExportPlace::enterOnASwitchGoesOn()
+{
+    save(QStringLiteral("shelf.fff"));
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *box = dialog->findChild<QCheckBox *>(QStringLiteral("exportFilePerSheet"));
+        QTest::mouseClick(box, Qt::LeftButton, {}, {8, 8});
+        box->setFocus();
+        enter(dialog);
+    });
+    QVERIFY(has(QStringLiteral("shelf-1.svg")));
+}
+
 void TestExportPlace::anotherPlaceIsKept()
 {
     save(QStringLiteral("shelf.fff"));
-    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("shop")));
+    QVERIFY(QDir(folder()).mkdir(QStringLiteral("shop")));
     inExportPanel(*m_window, [&](QDialog *dialog) {
         chooseFile(dialog, file(QStringLiteral("shop/first.svg")));
         QCOMPARE(shownPlace(dialog), QStringLiteral("first.svg in shop"));
@@ -209,7 +305,7 @@ void TestExportPlace::everySheetIsNumbered()
         auto *box = dialog->findChild<QCheckBox *>(QStringLiteral("exportFilePerSheet"));
         if (!box->isChecked())
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, 8});
-        QVERIFY(shownPlace(dialog).startsWith(QStringLiteral("shelf-1.svg and so on, in ")));
+        QVERIFY(shownPlace(dialog).startsWith(QStringLiteral("shelf-1.svg in ")));
         if (!button.isEmpty())
             answer(button, &asked);
         QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
@@ -242,7 +338,7 @@ void TestExportPlace::aFolderForTheWorkshopIsNamed()
 // Wrong: a place on a stick that is not there any more, and Enter fails.
 void TestExportPlace::aFolderThatHasGone()
 {
-    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("stick")));
+    QVERIFY(QDir(folder()).mkdir(QStringLiteral("stick")));
     save(QStringLiteral("shelf.fff"));
     inExportPanel(*m_window, [&](QDialog *dialog) {
         exportTo(dialog, file(QStringLiteral("stick/out.svg")));
@@ -252,7 +348,7 @@ void TestExportPlace::aFolderThatHasGone()
         QCOMPARE(shownPlace(dialog), QStringLiteral("shelf.svg in %1").arg(where()));
     });
     // The model's own folder, too.
-    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("stick")));
+    QVERIFY(QDir(folder()).mkdir(QStringLiteral("stick")));
     save(QStringLiteral("stick/lamp.fff"));
     QVERIFY(QDir(file(QStringLiteral("stick"))).removeRecursively());
     inExportPanel(*m_window, [&](QDialog *dialog) {
