@@ -38,7 +38,13 @@ void Tour::begin(bool canRepeat)
     m_steps.push_back(Step::Export);
     m_isOn = true;
     m_hadBody = false;
-    enter(0);
+    m_done.clear();
+    m_at = 0;
+    m_camera.reset();
+    const Document &document = m_bench.session().committed().document;
+    m_operations = document.operations.size();
+    m_thicknesses = thicknessesOf(document);
+    Q_EMIT changed();
     followModel();
 }
 
@@ -53,27 +59,51 @@ void Tour::skip()
     if (!m_isOn || isDone())
         return;
     m_hadBody = false;
-    enter(m_at + 1);
+    m_done.insert(m_steps[m_at]);
+    goOn();
+}
+
+void Tour::leaveOutRepeat()
+{
+    const auto repeat = std::find(m_steps.begin(), m_steps.end(), Step::Repeat);
+    if (!m_isOn || isDone() || repeat == m_steps.end())
+        return;
+    if (repeat - m_steps.begin() < static_cast<std::ptrdiff_t>(m_at))
+        --m_at;
+    m_steps.erase(repeat);
+    Q_EMIT changed();
+}
+
+bool Tour::lacksBody() const
+{
+    return m_hadBody && m_bench.session().committed().sectionCount() == 0;
 }
 
 Tour::Step Tour::step() const
 {
-    const bool isEmpty = m_bench.session().committed().sectionCount() == 0;
-    return isEmpty && m_hadBody ? Step::Draw : m_steps[m_at];
+    return lacksBody() ? Step::Draw : m_steps[m_at];
+}
+
+int Tour::number() const
+{
+    return !isDone() && lacksBody() ? 0 : static_cast<int>(m_at);
 }
 
 void Tour::did(Step what)
 {
-    if (m_isOn && !isDone() && step() == what)
-        enter(m_at + 1);
+    if (!m_isOn || isDone() || !m_done.insert(what).second)
+        return;
+    goOn();
 }
 
-void Tour::enter(std::size_t at)
+/// To the first step that is not done yet.
+void Tour::goOn()
 {
-    m_at = at;
-    const Document &document = m_bench.session().committed().document;
-    m_operations = document.operations.size();
-    m_thicknesses = thicknessesOf(document);
+    const std::size_t before = m_at;
+    while (m_at < m_steps.size() && m_done.contains(m_steps[m_at]))
+        ++m_at;
+    if (m_at == before)
+        return;
     m_camera.reset();
     Q_EMIT changed();
 }
@@ -89,9 +119,9 @@ void Tour::followModel()
     const Model &model = m_bench.session().committed();
     const std::size_t before = m_at;
     m_hadBody = m_hadBody || model.sectionCount() > 0;
-    if (m_steps[m_at] == Step::Draw && model.sectionCount() > 0)
+    if (model.sectionCount() > 0)
         did(Step::Draw);
-    if (m_steps[m_at] == Step::Cross && model.sectionCount() > 1)
+    if (model.sectionCount() > 1)
         did(Step::Cross);
     if (thicknessesOf(model.document) != m_thicknesses)
         did(Step::Thickness);

@@ -7,6 +7,7 @@
 #include "core/interaction/camera.h"
 
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace fff {
@@ -38,19 +39,24 @@ public:
     /// What is to be done now: to draw the body, where it was undone. Only while it is not done.
     Step step() const;
     /// From 0 on.
-    int number() const { return static_cast<int>(m_at); }
+    int number() const;
     int count() const { return static_cast<int>(m_steps.size()); }
 
     // What is done elsewhere in the window than in its model and view.
     void verdictRead() { did(Step::Check); }
     void exported() { did(Step::Export); }
+    /// Somebody has looked at it, and it may be right as it is.
+    void thicknessSeen() { did(Step::Thickness); }
+    /// Operations are not there any more.
+    void leaveOutRepeat();
 
 Q_SIGNALS:
     void changed();
 
 private:
     void did(Step step);
-    void enter(std::size_t at);
+    void goOn();
+    bool lacksBody() const;
     void followModel();
     void followView();
 
@@ -59,10 +65,11 @@ private:
     std::size_t m_at = 0;
     bool m_isOn = false;
     bool m_hadBody = false; // to go on with
-    // As the step began.
+    std::set<Step> m_done;  // also before its turn
+    // As the tour began.
     std::size_t m_operations = 0;
     std::vector<double> m_thicknesses;
-    std::optional<Camera> m_camera; // none yet while the view moves by itself
+    std::optional<Camera> m_camera; // as the step began; none yet while the view moves by itself
 };
 
 } // namespace fff::ui

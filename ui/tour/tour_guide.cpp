@@ -1,77 +1,93 @@
 #include "ui/tour/tour_guide.h"
 
 #include "core/base/tolerances.h"
+#include "core/model/section.h"
+#include "core/session/check_list.h"
 #include "ui/bench/workbench.h"
 #include "ui/tour/tour_card.h"
 #include "ui/tour/tour_hint.h"
 
 #include <QApplication>
+#include <QPainterPath>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fff::ui {
 
 namespace {
 
-constexpr int kLook = 200; // ms
+constexpr int kLook = 200;       // ms
+constexpr int kLeastTarget = 12; // px: smaller ones are not laid out yet
 
 QString sentenceOf(Tour::Step step)
 {
     switch (step) {
     case Tour::Step::Draw:
         return TourGuide::tr("<b>Draw a body.</b> Press in the middle of the view and draw its "
-                             "outline in one go, down to the ground.");
+                             "outline in one go, flat along the top, down to the ground.");
     case Tour::Step::Cross:
-        return TourGuide::tr(
-            "<b>Draw a section across it.</b> Press inside the body, drag out across its edge, "
-            "keep the button down and draw the outline, down to the ground again.");
+        return TourGuide::tr("<b>Draw a section across it.</b> Press inside the body and drag out "
+                             "across its edge. Keep the button down: the view turns. Then draw the "
+                             "outline, down to the ground again.");
     case Tour::Step::Turn:
-        return TourGuide::tr("<b>Look around.</b> Drag beside the model to turn it; roll the wheel "
-                             "to come nearer.");
+        return TourGuide::tr(
+            "<b>Look around.</b> Drag beside the model to turn it; roll the wheel to come nearer.");
     case Tour::Step::Thickness:
-        return TourGuide::tr("<b>Measure your sheet.</b> Click its stock at the right of the tool "
-                             "bar and type its thickness: all slits follow.");
+        return TourGuide::tr(
+            "<b>Measure your sheet.</b> Click the stock at the right of the tool bar, then its "
+            "thickness, and type what you measured: all slits follow.");
     case Tour::Step::Check:
-        return TourGuide::tr("<b>Will it work?</b> The verdicts over the view say so. Click one to "
-                             "read more.");
+        return TourGuide::tr(
+            "<b>Will it work?</b> The badges over the view tell you. Click one to read more.");
     case Tour::Step::Repeat:
-        return TourGuide::tr("<b>Repeat it.</b> Choose <b>Linear</b>, then click what it asks for: "
-                             "copies stand in a row along the body.");
+        return TourGuide::tr("<b>Repeat it.</b> Choose <b>Linear</b>, click the section that you "
+                             "drew across, then the body: copies stand in a row along it.");
     case Tour::Step::Export:
-        return TourGuide::tr("<b>Cut it.</b> <b>Export…</b> shows the sheets and writes the file "
-                             "for the cutter.");
+        return TourGuide::tr(
+            "<b>Cut it.</b> <b>Export…</b> shows the sheets and writes the file for the cutter.");
     }
     return {}; // not reached: every step is above
 }
 
 QString lastWords()
 {
-    return TourGuide::tr("<b>That is a whole model,</b> from the first stroke to the file. "
-                         "<b>F1</b> tells more.");
+    return TourGuide::tr("<b>That was all of the way,</b> from the first stroke to the file. What "
+                         "is red has links under Checks that fix it. Press <b>F1</b> for more.");
 }
 
-QPolygonF oval(const QPointF &middle, double wide, double tall)
+/// A body that is flat along the top, so that what stands along it is of one height.
+QPolygonF loaf(const QRectF &box)
 {
+    QPainterPath path;
+    const double r = 0.45 * box.height();
+    path.moveTo(box.right(), box.bottom() - 0.3 * box.height());
+    path.cubicTo(box.right(), box.top(), box.right(), box.top(), box.right() - r, box.top());
+    path.lineTo(box.left() + r, box.top());
+    path.cubicTo(box.left(), box.top(), box.left(), box.top(), box.left(),
+                 box.bottom() - 0.3 * box.height());
+    path.lineTo(box.left(), box.bottom());
+    path.lineTo(box.right() - 6.0, box.bottom());
     QPolygonF points;
-    for (int i = 0; i <= 60; ++i) {
-        const double angle = 6.1 * i / 60.0; // not quite round
-        points += middle + QPointF(wide * std::cos(angle), -tall * std::sin(angle));
-    }
+    for (int i = 0; i <= 60; ++i)
+        points += path.pointAtPercent(i / 60.0);
     return points;
 }
 
 } // namespace
 
-TourGuide::TourGuide(Workbench &bench, QWidget &window, QWidget &view, int top, TargetOf targetOf,
-                     QObject *parent)
-    : QObject(parent), m_bench(bench), m_window(window), m_view(view),
+TourGuide::TourGuide(Workbench &bench, const CheckList &checks, QWidget &window, QWidget &view,
+                     int top, TargetOf targetOf, QObject *parent)
+    : QObject(parent), m_bench(bench), m_checks(checks), m_window(window), m_view(view),
       m_targetOf(std::move(targetOf)), m_tour(bench), m_card(new TourCard(&view, top)),
       m_hint(new TourHint(&window))
 {
     connect(&m_tour, &Tour::changed, this, &TourGuide::follow);
     connect(m_card, &TourCard::skipWanted, &m_tour, &Tour::skip);
     connect(m_card, &TourCard::endWanted, &m_tour, &Tour::end);
+    connect(&checks, &CheckList::changed, this, [this] {
+        if (m_tour.isOn() && !m_tour.isDone() && m_tour.step() == Tour::Step::Export)
+            follow();
+    });
     m_look.setInterval(kLook);
     connect(&m_look, &QTimer::timeout, this, &TourGuide::point);
 }
@@ -82,11 +98,26 @@ void TourGuide::refreshColours()
     m_hint->update();
 }
 
+QString TourGuide::sentence() const
+{
+    if (m_tour.isDone())
+        return lastWords();
+    const std::vector<Finding> &found = m_checks.all();
+    const bool isWrong = std::any_of(found.begin(), found.end(), [](const Finding &finding) {
+        return finding.severity == Severity::Error;
+    });
+    // The row comes as far as it can, and its last sections may be too much.
+    if (isWrong && m_tour.step() == Tour::Step::Export &&
+        !m_bench.session().committed().document.operations.empty())
+        return tr("<b>Nearly.</b> Drag the round handle at the end of the row back until no badge "
+                  "is red; then <b>Export…</b> writes the file for the cutter.");
+    return sentenceOf(m_tour.step());
+}
+
 void TourGuide::follow()
 {
     if (m_tour.isOn()) {
-        m_card->say(m_tour.number(), m_tour.count(),
-                    m_tour.isDone() ? lastWords() : sentenceOf(m_tour.step()));
+        m_card->say(m_tour.number(), m_tour.count(), sentence());
         m_look.start();
     } else {
         m_card->hide();
@@ -98,6 +129,10 @@ void TourGuide::follow()
 void TourGuide::point()
 {
     const Interaction &interaction = m_bench.interaction();
+    // A card in the way of a stroke is one too many.
+    if (m_tour.isOn())
+        m_card->setVisible(!interaction.hasGesture() || m_tour.isDone() ||
+                           m_tour.step() > Tour::Step::Cross);
     const bool isAtWork = interaction.hasGesture() || interaction.isAnimating() ||
                           interaction.tool() || QApplication::activeModalWidget() ||
                           QApplication::activePopupWidget();
@@ -106,7 +141,9 @@ void TourGuide::point()
         return;
     }
     const QWidget *target = m_targetOf(m_tour.step());
-    if (target && target->isVisible())
+    const bool isThere = target && target->isVisible() && target->isEnabled() &&
+                         std::min(target->width(), target->height()) >= kLeastTarget;
+    if (isThere)
         m_hint->showRing({target->mapTo(&m_window, QPoint()), target->size()});
     else if (!target)
         m_hint->showWay(wayOf(m_tour.step()).translated(m_view.mapTo(&m_window, QPoint())));
@@ -116,41 +153,77 @@ void TourGuide::point()
 
 QPolygonF TourGuide::wayOf(Tour::Step step) const
 {
-    const QPointF middle(0.5 * m_view.width(), 0.5 * m_view.height());
-    const double size = std::min(m_view.width(), m_view.height());
-    const Camera &camera = m_bench.interaction().camera();
-    const Vec2 viewport(m_view.width(), m_view.height());
     switch (step) {
-    case Tour::Step::Draw: {
-        // Down to the ground, and a little below it, where it is cut flat.
-        const double tall = 0.2 * size;
-        const double ground = std::clamp(camera.toScreen(Vec3::Zero(), viewport).y(),
-                                         middle.y() + 0.5 * tall, middle.y() + 0.45 * size);
-        return oval({middle.x(), ground - 0.85 * tall}, 0.3 * size, tall);
-    }
-    case Tour::Step::Cross: {
-        if (m_bench.session().committed().sectionCount() == 0)
-            return {};
-        const SectionPointer &body = m_bench.session().committed().section(0);
-        QPointF top(0.0, m_view.height()), centre;
-        const Polygon outline = body->shape->contour().polygon(kDrawChord);
-        for (const Vec2 &p : outline) {
-            const Vec2 seen = camera.toScreen(body->frame.toWorld(p), viewport);
-            const QPointF at(seen.x(), seen.y());
-            centre += at / static_cast<double>(outline.size());
-            if (at.y() < top.y())
-                top = at;
-        }
-        const double out = std::clamp(0.4 * (centre.y() - top.y()), 24.0, 70.0);
-        return {QPointF(top.x(), 0.5 * (centre.y() + top.y())), QPointF(top.x(), top.y() - out)};
-    }
-    case Tour::Step::Turn: {
-        const QPointF from = middle + QPointF(-0.2 * size, 0.38 * size);
-        return {from, from + QPointF(0.2 * size, -0.02 * size), from + QPointF(0.4 * size, 0.0)};
-    }
+    case Tour::Step::Draw:
+        return wayOfBody();
+    case Tour::Step::Cross:
+        return wayOfSlit();
+    case Tour::Step::Turn:
+        return wayBeside();
     default:
         return {};
     }
+}
+
+QPointF TourGuide::seen(const Vec3 &place) const
+{
+    const Vec2 at =
+        m_bench.interaction().camera().toScreen(place, Vec2(m_view.width(), m_view.height()));
+    return {at.x(), at.y()};
+}
+
+/// Down to the ground, and a little below it, where it is cut flat.
+QPolygonF TourGuide::wayOfBody() const
+{
+    const double size = std::min(m_view.width(), m_view.height()), half = 0.5 * m_view.height();
+    const double ground = std::clamp(seen(Vec3::Zero()).y(), half + 0.1 * size, half + 0.45 * size);
+    return loaf(
+        {0.5 * m_view.width() - 0.32 * size, ground - 0.28 * size, 0.64 * size, 0.3 * size});
+}
+
+/// Out of the middle of its upper edge.
+QPolygonF TourGuide::wayOfSlit() const
+{
+    const Model &model = m_bench.session().committed();
+    if (model.sectionCount() == 0)
+        return {};
+    const Section &body = *model.section(0);
+    const Box3 box = worldBounds(*body.shape, body.frame);
+    const Vec3 centre = box.center();
+    double top = box.min.y(); // of the body right above its middle
+    for (const Vec2 &p : body.shape->contour().polygon(kDrawChord)) {
+        const Vec3 at = body.frame.toWorld(p);
+        if ((Vec2(at.x(), at.z()) - Vec2(centre.x(), centre.z())).norm() < 0.2 * box.size().norm())
+            top = std::max(top, at.y());
+    }
+    const QPointF edge = seen({centre.x(), top, centre.z()});
+    const QPointF from = 0.5 * (edge + seen(centre));
+    const double out = std::clamp(edge.y() - from.y(), -70.0, -24.0);
+    return {from, edge + QPointF(0.0, out)};
+}
+
+/// Where nothing of the model is, at the side that has more room.
+QPolygonF TourGuide::wayBeside() const
+{
+    QRectF box;
+    for (const SectionPointer &section : m_bench.session().committed().sections()) {
+        const Box3 its = worldBounds(*section->shape, section->frame);
+        for (int corner = 0; corner < 8; ++corner) {
+            const QPointF at =
+                seen({(corner & 1 ? its.max : its.min).x(), (corner & 2 ? its.max : its.min).y(),
+                      (corner & 4 ? its.max : its.min).z()});
+            box = box.isNull() ? QRectF(at, QSizeF(1, 1)) : box.united(QRectF(at, QSizeF(1, 1)));
+        }
+    }
+    constexpr double kAside = 30.0; // px
+    const double left = box.left() - 2.0 * kAside,
+                 right = m_view.width() - box.right() - 2.0 * kAside;
+    const double room = std::min(std::max(left, right), 0.3 * m_view.width());
+    if (room < 2.0 * kAside)
+        return {}; // the words say it
+    const double begin = left > right ? box.left() - kAside - room : box.right() + kAside;
+    const double y = 0.72 * m_view.height();
+    return {{begin, y}, {begin + 0.5 * room, y - 4.0}, {begin + room, y}};
 }
 
 } // namespace fff::ui

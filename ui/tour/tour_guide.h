@@ -5,10 +5,15 @@
 
 #include "ui/tour/tour.h"
 
+#include <QPointF>
 #include <QPolygonF>
 #include <QTimer>
 
 #include <functional>
+
+namespace fff {
+class CheckList;
+}
 
 namespace fff::ui {
 
@@ -23,19 +28,25 @@ public:
     using TargetOf = std::function<QWidget *(Tour::Step)>;
 
     /// top  of the card below the upper edge of the view, px
-    TourGuide(Workbench &bench, QWidget &window, QWidget &view, int top, TargetOf targetOf,
-              QObject *parent);
+    TourGuide(Workbench &bench, const CheckList &checks, QWidget &window, QWidget &view, int top,
+              TargetOf targetOf, QObject *parent);
 
     Tour &tour() { return m_tour; }
     void refreshColours();
 
 private:
+    QString sentence() const;
     void follow();
     void point();
     /// Along which a hand would draw or turn, in the view.
     QPolygonF wayOf(Tour::Step step) const;
+    QPolygonF wayOfBody() const;
+    QPolygonF wayOfSlit() const;
+    QPolygonF wayBeside() const;
+    QPointF seen(const Vec3 &place) const;
 
     Workbench &m_bench;
+    const CheckList &m_checks;
     QWidget &m_window;
     QWidget &m_view;
     const TargetOf m_targetOf;

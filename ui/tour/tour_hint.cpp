@@ -135,6 +135,12 @@ void TourHint::paintWay(QPainter &painter) const
     painter.drawPolyline(done);
     painter.setBrush(colour);
     painter.drawEllipse(m_way.front(), kLine, kLine);
+    if (const double rest = share() - 1.0; rest > 0.0 && m_frames.isActive()) {
+        // The button is still down.
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(colour, 2.0));
+        painter.drawEllipse(done.back(), 4.0 + 24.0 * rest, 4.0 + 24.0 * rest);
+    }
     painter.setPen(QPen(theme().panel, 1.5));
     painter.setBrush(theme().text);
     painter.drawPath(pointerAt(done.back()));

@@ -83,10 +83,10 @@ void MainToolBar::place(const std::vector<QAction *> &actions, bool isThere, QAc
 /// Their buttons, or the one that stands for all.
 void MainToolBar::placeOperations(bool hasButtons)
 {
-    if (hasButtons == actions().contains(m_operations.front()))
-        return;
-    place(m_operations, hasButtons, m_afterOperations);
-    m_repeatAction->setVisible(!hasButtons);
+    const auto isThere = [](const QAction *action) { return action->isVisible(); };
+    m_repeatAction->setVisible(!hasButtons && std::ranges::any_of(m_operations, isThere));
+    if (hasButtons != actions().contains(m_operations.front()))
+        place(m_operations, hasButtons, m_afterOperations);
 }
 
 /// What is done to a section has its buttons while there is one to do it to: behind all others,

@@ -7,7 +7,10 @@
 #include "ui/window/badges.h"
 #include "ui/window/main_tool_bar.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_scope.h"
 #include "ui/window/windows.h"
+
+#include <QMenu>
 
 namespace fff::ui {
 
@@ -32,9 +35,15 @@ void MainWindow::makeTour()
             return nullptr; // in the view
         }
     };
-    m_tour = new TourGuide(*m_bench, *this, *m_view, Badges::kBelow, targetOf, this);
+    m_tour = new TourGuide(*m_bench, *m_checkList, *this, *m_view, Badges::kBelow, targetOf, this);
     connect(m_badges, &Badges::clicked, &m_tour->tour(), &Tour::verdictRead);
     connect(m_checks, &ChecksDock::chosenChanged, &m_tour->tour(), &Tour::verdictRead);
+    if (auto *menu = m_toolBar->findChild<QMenu *>(QStringLiteral("toolStockMenu")))
+        connect(menu, &QMenu::aboutToHide, &m_tour->tour(), &Tour::thicknessSeen);
+    connect(m_scope, &WindowScope::changed, this, [this] {
+        if (!m_actions->action("operation.linear")->isVisible())
+            m_tour->tour().leaveOutRepeat();
+    });
     connect(m_files, &DocumentFiles::exported, &m_tour->tour(), &Tour::exported);
 }
 
