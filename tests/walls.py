@@ -8,7 +8,7 @@ import sys
 
 CORE = ["base", "values", "geometry", "nesting", "model", "templates", "assembly", "operations", "physics", "fabrication", "skin", "analysis",
         "stroke", "interaction", "io", "session"]
-UI = ["view", "settings", "base", "bench", "actions", "properties", "cards", "docks", "dialogs", "sheets", "files", "start", "steps", "tour",
+UI = ["view", "settings", "base", "bench", "actions", "properties", "cards", "docks", "dialogs", "sheets", "files", "start", "steps", "tour", "help",
       "window"]
 # In what order whole folders stand; a file of one of these may use all of those before.
 HOUSES = ["core", "ui", "app"]

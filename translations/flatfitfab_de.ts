@@ -3405,6 +3405,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Schritt für Schritt ein Modell zeichnen, prüfen und ausschneiden, in einem leeren Fenster</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Hilfe zu dem, was unter dem Zeiger ist</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Öffnet die Hilfe dort, wo sie von diesem Teil des Fensters erzählt</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10056,11 +10068,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 und weitere in %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 in %2</translation>
     </message>
 </context>
@@ -10711,6 +10723,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10723,6 +10742,26 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>Die Tasten als Seite speichern</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-Dokumente (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>FlatFitFab-Tasten</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 konnte nicht geschrieben werden.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11113,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Tasten drücken</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Als Seite zum Drucken speichern …</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In der Ansicht</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>Die erste Scheibe zeichnen</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>in der Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Eine Scheibe quer zu einer anderen zeichnen</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>aus ihr heraus ziehen</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Die Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>neben dem Modell ziehen</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Näher herangehen</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Die Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>mit der mittleren Taste ziehen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Eine Gruppe auswählen</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>mit Umschalt ziehen</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Zeigen, was damit geht</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Einen Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>Doppelklick auf die Kontur</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Ohne Einrasten zeichnen</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>Strg halten</translation>
     </message>
 </context>
 <context>
@@ -11444,6 +11578,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Dieses Modell ist zum Anpassen da. „Entwurf bearbeiten“ holt alles zurück.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Hilfe: %1</translation>
     </message>
 </context>
 <context>
@@ -15499,36 +15638,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Zeichne einen Körper.&lt;/b&gt; Drücke mitten in der Ansicht und zeichne seinen Umriss in einem Zug, bis auf den Boden.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Zeichne eine Scheibe quer dazu.&lt;/b&gt; Drücke im Körper, ziehe über seinen Rand hinaus, halte die Taste gedrückt und zeichne den Umriss, wieder bis auf den Boden.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
-        <translation>&lt;b&gt;Sieh dich um.&lt;/b&gt; Neben dem Modell ziehen dreht es; das Rad holt es näher.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Miss deine Platte.&lt;/b&gt; Klicke rechts in der Werkzeugleiste auf ihr Material und gib die Dicke ein: Alle Schlitze folgen.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;Wird es halten?&lt;/b&gt; Die Urteile über der Ansicht sagen es. Ein Klick auf eines sagt mehr.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Wiederhole sie.&lt;/b&gt; Wähle &lt;b&gt;Reihe&lt;/b&gt;, dann klicke, wonach gefragt wird: Kopien stehen in einer Reihe am Körper entlang.</translation>
+        <translation>&lt;b&gt;Sieh dich um.&lt;/b&gt; Ziehe neben dem Modell, um es zu drehen; mit dem Rad kommst du näher.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
-        <translation>&lt;b&gt;Schneide es aus.&lt;/b&gt; &lt;b&gt;Exportieren …&lt;/b&gt; zeigt die Platten und schreibt die Datei für den Cutter.</translation>
+        <translation>&lt;b&gt;Schneide es aus.&lt;/b&gt; &lt;b&gt;Export …&lt;/b&gt; zeigt die Platten und schreibt die Datei für den Cutter.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;Das ist ein ganzes Modell,&lt;/b&gt; vom ersten Strich bis zur Datei. &lt;b&gt;F1&lt;/b&gt; erzählt mehr.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Zeichne einen Körper.&lt;/b&gt; Drücke mitten in der Ansicht und zeichne seinen Umriss in einem Zug, oben flach, bis auf den Boden.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Zeichne eine Scheibe quer dazu.&lt;/b&gt; Setze im Körper an und ziehe über seinen Rand hinaus. Halte die Taste gedrückt: Die Ansicht dreht sich. Zeichne dann den Umriss, wieder bis auf den Boden.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Miss deine Platte.&lt;/b&gt; Klicke rechts in der Werkzeugleiste auf das Material, dann auf seine Dicke, und gib ein, was du gemessen hast: Alle Schlitze folgen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;Klappt es?&lt;/b&gt; Das sagen die Plaketten über der Ansicht. Klicke auf eine, um mehr zu lesen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Wiederhole sie.&lt;/b&gt; Wähle &lt;b&gt;Reihe&lt;/b&gt;, klicke auf die Scheibe quer zum Körper, dann auf den Körper: Kopien stehen in einer Reihe an ihm entlang.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Das war der ganze Weg,&lt;/b&gt; vom ersten Strich bis zur Datei. Was rot ist, lässt sich unter Prüfungen mit einem Klick beheben. Mehr steht unter &lt;b&gt;F1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Fast.&lt;/b&gt; Ziehe den runden Griff am Ende der Reihe zurück, bis keine Plakette mehr rot ist; dann schreibt &lt;b&gt;Export …&lt;/b&gt; die Datei für den Cutter.</translation>
     </message>
 </context>
 <context>

@@ -3405,6 +3405,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Dibujar, revisar y cortar un modelo paso a paso, en una ventana vacía</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Ayuda sobre lo que hay bajo el cursor</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Abre la ayuda donde habla de esta parte de la ventana</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10056,11 +10068,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 y siguientes, en %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 en %2</translation>
     </message>
 </context>
@@ -10711,6 +10723,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10723,6 +10742,26 @@
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>Guardar las teclas en una página</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>Teclas de FlatFitFab</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>No se pudo escribir %1.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11113,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Pulsa las teclas</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Guardarlas en una página para imprimir…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>En la vista</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>Dibujar la primera sección</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>arrastrar en el centro</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Dibujar una sección que cruce otra</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>arrastrar hacia fuera y seguir</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Girar la vista</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>arrastrar junto al modelo</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Acercarse</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>rueda</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Mover la vista</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>arrastrar con el botón central</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Seleccionar un grupo</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>Mayús y arrastrar</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Ver qué se puede hacer</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>clic derecho</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Añadir un punto</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>doble clic en el contorno</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Dibujar sin ajustar</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>mantener Ctrl</translation>
     </message>
 </context>
 <context>
@@ -11444,6 +11578,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Este modelo está aquí para adaptarlo. «Editar el diseño» lo recupera todo.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Ayuda: %1</translation>
     </message>
 </context>
 <context>
@@ -15499,36 +15638,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Dibuja un cuerpo.&lt;/b&gt; Pulsa en el centro de la vista y dibuja su contorno de un solo trazo, hasta el suelo.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Dibuja una sección que lo cruce.&lt;/b&gt; Pulsa dentro del cuerpo, arrastra hacia fuera por su borde, mantén el botón pulsado y dibuja el contorno, otra vez hasta el suelo.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;Mira alrededor.&lt;/b&gt; Arrastra junto al modelo para girarlo; con la rueda te acercas.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Mide tu plancha.&lt;/b&gt; Haz clic en su material, a la derecha de la barra de herramientas, y escribe su grosor: todas las ranuras lo siguen.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;¿Funcionará?&lt;/b&gt; Lo dicen los veredictos sobre la vista. Haz clic en uno para leer más.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Repítela.&lt;/b&gt; Elige &lt;b&gt;Fila&lt;/b&gt; y haz clic en lo que te pida: las copias se colocan en fila a lo largo del cuerpo.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
         <translation>&lt;b&gt;Córtalo.&lt;/b&gt; &lt;b&gt;Exportar…&lt;/b&gt; muestra las planchas y escribe el archivo para la cortadora.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;Ya tienes un modelo entero,&lt;/b&gt; del primer trazo al archivo. &lt;b&gt;F1&lt;/b&gt; cuenta más.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Dibuja un cuerpo.&lt;/b&gt; Pulsa en el centro de la vista y dibuja su contorno de un solo trazo, plano por arriba, hasta el suelo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Dibuja una sección que lo cruce.&lt;/b&gt; Pulsa dentro del cuerpo y arrastra hacia fuera por su borde. Mantén el botón pulsado: la vista gira. Dibuja entonces el contorno, otra vez hasta el suelo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Mide tu plancha.&lt;/b&gt; Haz clic en el material, a la derecha de la barra de herramientas, luego en su grosor, y escribe lo que has medido: todas las ranuras lo siguen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;¿Funcionará?&lt;/b&gt; Te lo dicen las insignias sobre la vista. Haz clic en una para leer más.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Repítela.&lt;/b&gt; Elige &lt;b&gt;Fila&lt;/b&gt;, haz clic en la sección que cruza el cuerpo y después en el cuerpo: las copias se colocan en fila a lo largo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Ese era todo el camino,&lt;/b&gt; del primer trazo al archivo. Lo que está en rojo tiene enlaces en Revisión que lo arreglan. Pulsa &lt;b&gt;F1&lt;/b&gt; para saber más.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Casi.&lt;/b&gt; Arrastra hacia atrás el tirador redondo al final de la fila hasta que ninguna insignia esté en rojo; entonces &lt;b&gt;Exportar…&lt;/b&gt; escribe el archivo para la cortadora.</translation>
     </message>
 </context>
 <context>

@@ -3405,6 +3405,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Dessiner, vérifier et découper un modèle pas à pas, dans une fenêtre vide</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Aide sur ce qui est sous le curseur</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Ouvrir l’aide là où elle parle de cette partie de la fenêtre</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10056,11 +10068,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 et suivants, dans %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 dans %2</translation>
     </message>
 </context>
@@ -10711,6 +10723,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10723,6 +10742,26 @@
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>Enregistrer les touches sur une page</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>Touches de FlatFitFab</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>Impossible d’écrire %1.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11113,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Appuyez sur les touches</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Les enregistrer sur une page à imprimer…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>Dans la vue</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>Dessiner la première section</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>glisser au milieu</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Dessiner une section en travers d’une autre</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>glisser hors d’elle, continuer</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Tourner la vue</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>glisser à côté du modèle</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Se rapprocher</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Déplacer la vue</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>glisser avec le bouton du milieu</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Sélectionner un groupe</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>Maj et glisser</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Voir ce qu’on peut en faire</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>clic droit</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Ajouter un point</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>double-clic sur le contour</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Dessiner sans accrochage</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>maintenir Ctrl</translation>
     </message>
 </context>
 <context>
@@ -11444,6 +11578,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Ce modèle est là pour être réglé. «&#x202f;Modifier la conception&#x202f;» ramène tout.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Aide : %1</translation>
     </message>
 </context>
 <context>
@@ -15499,36 +15638,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Dessinez un corps.&lt;/b&gt; Appuyez au milieu de la vue et tracez son contour d’un seul trait, jusqu’au sol.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Dessinez une section en travers.&lt;/b&gt; Appuyez dans le corps, sortez-en par-dessus son bord, gardez le bouton enfoncé et tracez le contour, de nouveau jusqu’au sol.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
-        <translation>&lt;b&gt;Regardez autour.&lt;/b&gt; Faites glisser à côté du modèle pour le tourner, et la molette pour vous rapprocher.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Mesurez votre plaque.&lt;/b&gt; Cliquez sur son matériau à droite de la barre d’outils et saisissez son épaisseur : toutes les fentes suivent.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;Est-ce que cela tiendra ?&lt;/b&gt; Les verdicts au-dessus de la vue le disent. Cliquez sur l’un d’eux pour en savoir plus.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Répétez-la.&lt;/b&gt; Choisissez &lt;b&gt;Rangée&lt;/b&gt;, puis cliquez sur ce qui est demandé : les copies se rangent le long du corps.</translation>
+        <translation>&lt;b&gt;Regardez autour.&lt;/b&gt; Faites glisser à côté du modèle pour le tourner ; la molette vous rapproche.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
         <translation>&lt;b&gt;Découpez.&lt;/b&gt; &lt;b&gt;Exporter…&lt;/b&gt; montre les plaques et écrit le fichier pour la découpeuse.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;Voilà un modèle entier,&lt;/b&gt; du premier trait au fichier. &lt;b&gt;F1&lt;/b&gt; en dit plus.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Dessinez un corps.&lt;/b&gt; Appuyez au milieu de la vue et tracez son contour d’un seul trait, plat sur le dessus, jusqu’au sol.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Dessinez une section en travers.&lt;/b&gt; Appuyez dans le corps et franchissez son bord. Gardez le bouton enfoncé : la vue tourne. Tracez alors le contour, de nouveau jusqu’au sol.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Mesurez votre plaque.&lt;/b&gt; Cliquez sur le matériau à droite de la barre d’outils, puis sur son épaisseur, et saisissez ce que vous avez mesuré : toutes les fentes suivent.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;Est-ce que cela marchera ?&lt;/b&gt; Les pastilles au-dessus de la vue vous le disent. Cliquez sur l’une d’elles pour en savoir plus.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Répétez-la.&lt;/b&gt; Choisissez &lt;b&gt;Rangée&lt;/b&gt;, cliquez sur la section dessinée en travers, puis sur le corps : les copies se rangent le long de celui-ci.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Voilà tout le chemin,&lt;/b&gt; du premier trait au fichier. Ce qui est en rouge a des liens sous Vérifications pour le corriger. Appuyez sur &lt;b&gt;F1&lt;/b&gt; pour en savoir plus.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Presque.&lt;/b&gt; Ramenez la poignée ronde au bout de la rangée jusqu’à ce qu’aucune pastille ne soit rouge ; &lt;b&gt;Exporter…&lt;/b&gt; écrit alors le fichier pour la découpeuse.</translation>
     </message>
 </context>
 <context>

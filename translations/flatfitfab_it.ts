@@ -3405,6 +3405,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Disegnare, controllare e tagliare un modello passo passo, in una finestra vuota</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Aiuto su ciò che è sotto il cursore</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aiuto</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Apre l’aiuto dove parla di questa parte della finestra</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10056,11 +10068,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 e seguenti, in %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 in %2</translation>
     </message>
 </context>
@@ -10711,6 +10723,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasti</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10723,6 +10742,26 @@
     <message>
         <source>Close</source>
         <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pagine</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>Salva i tasti su una pagina</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documenti PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>Tasti di FlatFitFab</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>Impossibile scrivere %1.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11113,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Premi i tasti</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasti</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Salvali su una pagina da stampare…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>Nella vista</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>Disegnare la prima sezione</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>trascinare al centro</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Disegnare una sezione di traverso a un’altra</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>trascinare fuori, proseguire</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Ruotare la vista</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>trascinare accanto al modello</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Avvicinarsi</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>rotella</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Spostare la vista</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>trascinare con il tasto centrale</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Selezionare</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Selezionare un gruppo</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>Maiusc e trascinare</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Vedere che cosa si può farne</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>clic destro</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Aggiungere un punto</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>doppio clic sul contorno</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Disegnare senza aggancio</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>tenere Ctrl</translation>
     </message>
 </context>
 <context>
@@ -11444,6 +11578,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Questo modello è qui per essere adattato. “Modifica il progetto” fa tornare tutto.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Aiuto: %1</translation>
     </message>
 </context>
 <context>
@@ -15499,36 +15638,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Disegna un corpo.&lt;/b&gt; Premi in mezzo alla vista e traccia il suo contorno in un solo tratto, fino al suolo.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Disegna una sezione di traverso.&lt;/b&gt; Premi dentro il corpo, trascina fuori oltre il bordo, tieni premuto il pulsante e traccia il contorno, di nuovo fino al suolo.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;Guardati attorno.&lt;/b&gt; Trascina accanto al modello per ruotarlo; con la rotella ti avvicini.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Misura la tua lastra.&lt;/b&gt; Fai clic sul suo materiale, a destra nella barra degli strumenti, e scrivi lo spessore: tutte le fessure lo seguono.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;Funzionerà?&lt;/b&gt; Lo dicono i verdetti sopra la vista. Fai clic su uno per saperne di più.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Ripetila.&lt;/b&gt; Scegli &lt;b&gt;Fila&lt;/b&gt;, poi fai clic su ciò che chiede: le copie stanno in fila lungo il corpo.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
         <translation>&lt;b&gt;Taglialo.&lt;/b&gt; &lt;b&gt;Esporta…&lt;/b&gt; mostra le lastre e scrive il file per la macchina da taglio.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;Ecco un modello intero,&lt;/b&gt; dal primo tratto al file. &lt;b&gt;F1&lt;/b&gt; dice di più.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Disegna un corpo.&lt;/b&gt; Premi in mezzo alla vista e traccia il suo contorno in un solo tratto, piatto in alto, fino al suolo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Disegna una sezione di traverso.&lt;/b&gt; Premi dentro il corpo e trascina fuori oltre il bordo. Tieni premuto il pulsante: la vista gira. Poi traccia il contorno, di nuovo fino al suolo.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Misura la tua lastra.&lt;/b&gt; Fai clic sul materiale a destra nella barra degli strumenti, poi sul suo spessore, e scrivi ciò che hai misurato: tutte le fessure lo seguono.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;Funzionerà?&lt;/b&gt; Te lo dicono i bollini sopra la vista. Fai clic su uno per saperne di più.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Ripetila.&lt;/b&gt; Scegli &lt;b&gt;Fila&lt;/b&gt;, fai clic sulla sezione di traverso, poi sul corpo: le copie stanno in fila lungo di esso.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Questa era tutta la strada,&lt;/b&gt; dal primo tratto al file. Ciò che è rosso ha collegamenti in Controlli che lo sistemano. Premi &lt;b&gt;F1&lt;/b&gt; per saperne di più.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Quasi.&lt;/b&gt; Trascina indietro la maniglia rotonda alla fine della fila finché nessun bollino è rosso; poi &lt;b&gt;Esporta…&lt;/b&gt; scrive il file per la macchina da taglio.</translation>
     </message>
 </context>
 <context>

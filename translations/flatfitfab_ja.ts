@@ -3378,6 +3378,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>空のウィンドウで、モデルを描き、チェックし、カットするまでを一歩ずつ</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>カーソルの下にあるもののヘルプ</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>ウィンドウのこの部分を説明するところを開きます</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -9956,11 +9968,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 以降（%2 の中）</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1（%2 の中）</translation>
     </message>
 </context>
@@ -10607,6 +10619,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10619,6 +10638,26 @@
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>キー一覧をページとして保存</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF 文書 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>FlatFitFab のキー</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 を書き込めませんでした。</translation>
     </message>
 </context>
 <context>
@@ -10970,6 +11009,101 @@
     <message>
         <source>Press the keys</source>
         <translation>キーを押してください</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>印刷用のページとして保存…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>ビューの中で</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>最初の板を描く</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>真ん中でドラッグ</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>ほかの板を横切る板を描く</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>外へドラッグして続ける</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>ビューを回す</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>モデルの横でドラッグ</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>近づく</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>ホイール</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>ビューを動かす</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>中ボタンでドラッグ</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>選択する</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>クリック</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>まとめて選択する</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>Shift とドラッグ</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>できることを見る</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>右クリック</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>点を追加する</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>輪郭をダブルクリック</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>スナップせずに描く</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>Ctrl を押したまま</translation>
     </message>
 </context>
 <context>
@@ -11338,6 +11472,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>このモデルは調整用です。「設計を編集」ですべて元に戻ります。</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>ヘルプ: %1</translation>
     </message>
 </context>
 <context>
@@ -15367,36 +15506,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;胴体を描きましょう。&lt;/b&gt;ビューの真ん中でボタンを押し、輪郭を地面まで一筆で描きます。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;それを横切る板を描きましょう。&lt;/b&gt;胴体の内側でボタンを押し、縁を越えて外へドラッグし、押したまま輪郭をまた地面まで描きます。</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;見回しましょう。&lt;/b&gt;モデルの横をドラッグすると回り、ホイールで近づきます。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;シートを測りましょう。&lt;/b&gt;ツールバー右側の材料をクリックして厚さを入力すると、すべてのスリットが合わせて変わります。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;うまくいくでしょうか。&lt;/b&gt;ビューの上の判定でわかります。クリックすると詳しく読めます。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;くり返しましょう。&lt;/b&gt;&lt;b&gt;列&lt;/b&gt;を選び、求められたものをクリックすると、コピーが胴体に沿って並びます。</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
-        <translation>&lt;b&gt;カットしましょう。&lt;/b&gt;&lt;b&gt;書き出し…&lt;/b&gt;はシートを見せ、カット用のファイルを書きます。</translation>
+        <translation>&lt;b&gt;カットしましょう。&lt;/b&gt;&lt;b&gt;書き出し…&lt;/b&gt;はシートを表示し、カット用のファイルを書き出します。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;これでモデルが一つ、&lt;/b&gt;最初の一筆からファイルまでできました。&lt;b&gt;F1&lt;/b&gt; に続きがあります。</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;胴体を描きましょう。&lt;/b&gt;ビューの真ん中でボタンを押し、上が平らな輪郭を地面まで一筆で描きます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;それを横切る板を描きましょう。&lt;/b&gt;胴体の内側でボタンを押し、縁を越えて外へドラッグします。押したままにするとビューが回ります。続けて輪郭をまた地面まで描きます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;シートを測りましょう。&lt;/b&gt;ツールバー右側の材料、次に厚さをクリックし、測った値を入力すると、すべてのスリットが合わせて変わります。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;うまくいくでしょうか。&lt;/b&gt;ビューの上のバッジでわかります。クリックすると詳しく読めます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;くり返しましょう。&lt;/b&gt;&lt;b&gt;列&lt;/b&gt;を選び、横切る板、次に胴体をクリックすると、コピーが胴体に沿って並びます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;これで全部です。&lt;/b&gt;最初の一筆からファイルまで進みました。赤いものは「チェック」のリンクで直せます。続きは &lt;b&gt;F1&lt;/b&gt; でどうぞ。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;あと少しです。&lt;/b&gt;列の端の丸いハンドルを、赤いバッジがなくなるまで戻します。そのあと&lt;b&gt;書き出し…&lt;/b&gt;でカット用のファイルを書き出します。</translation>
     </message>
 </context>
 <context>

@@ -3405,6 +3405,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Stap voor stap een model tekenen, controleren en snijden, in een leeg venster</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Hulp over wat onder de aanwijzer staat</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Help</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Opent de hulp waar ze over dit deel van het venster vertelt</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10056,11 +10068,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 enzovoort, in %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 in %2</translation>
     </message>
 </context>
@@ -10711,6 +10723,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Toetsen</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10723,6 +10742,26 @@
     <message>
         <source>Close</source>
         <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pagina’s</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>De toetsen als pagina opslaan</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-documenten (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>FlatFitFab-toetsen</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 kon niet worden geschreven.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11113,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Druk op de toetsen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Toetsen</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Opslaan als pagina om af te drukken…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In het beeld</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>De eerste sectie tekenen</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>slepen in het midden</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Een sectie dwars op een andere tekenen</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>eruit slepen, doorgaan</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Het beeld draaien</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>naast het model slepen</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Dichterbij komen</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>wiel</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Het beeld verschuiven</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>slepen met de middelste knop</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Selecteren</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>klikken</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Een groep selecteren</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>Shift en slepen</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Zien wat ermee kan</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>rechts klikken</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Een punt toevoegen</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>dubbelklikken op de contour</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Tekenen zonder vastklikken</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>Ctrl ingedrukt houden</translation>
     </message>
 </context>
 <context>
@@ -11444,6 +11578,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Dit model is er om aan te passen. Met “Ontwerp bewerken” komt alles terug.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Help: %1</translation>
     </message>
 </context>
 <context>
@@ -15499,36 +15638,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Teken een lijf.&lt;/b&gt; Druk midden in het beeld en teken de omtrek in één haal, tot op de grond.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Teken er een sectie dwars op.&lt;/b&gt; Druk in het lijf, sleep over de rand naar buiten, houd de knop ingedrukt en teken de omtrek, weer tot op de grond.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;Kijk rond.&lt;/b&gt; Sleep naast het model om het te draaien; met het wiel kom je dichterbij.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Meet je plaat.&lt;/b&gt; Klik rechts op de werkbalk op het materiaal en typ de dikte: alle sleuven volgen.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;Werkt het?&lt;/b&gt; De oordelen boven het beeld zeggen het. Klik er een aan om meer te lezen.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Herhaal haar.&lt;/b&gt; Kies &lt;b&gt;Rij&lt;/b&gt; en klik aan waar om gevraagd wordt: kopieën staan op een rij langs het lijf.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
-        <translation>&lt;b&gt;Snijd het.&lt;/b&gt; &lt;b&gt;Exporteren…&lt;/b&gt; toont de platen en schrijft het bestand voor de snijmachine.</translation>
+        <translation>&lt;b&gt;Snijd het.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; toont de platen en schrijft het bestand voor de snijmachine.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;Dat is een heel model,&lt;/b&gt; van de eerste haal tot het bestand. &lt;b&gt;F1&lt;/b&gt; vertelt meer.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Teken een lijf.&lt;/b&gt; Druk midden in het beeld en teken de omtrek in één haal, bovenaan vlak, tot op de grond.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Teken er een sectie dwars op.&lt;/b&gt; Druk in het lijf en sleep over de rand naar buiten. Houd de knop ingedrukt: het beeld draait. Teken dan de omtrek, weer tot op de grond.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Meet je plaat.&lt;/b&gt; Klik rechts op de werkbalk op het materiaal, dan op de dikte, en typ wat je hebt gemeten: alle sleuven volgen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;Werkt het?&lt;/b&gt; Dat zeggen de labels boven het beeld. Klik er een aan om meer te lezen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Herhaal haar.&lt;/b&gt; Kies &lt;b&gt;Rij&lt;/b&gt;, klik op de sectie dwars op het lijf en dan op het lijf: kopieën staan er op een rij langs.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Dat was de hele weg,&lt;/b&gt; van de eerste haal tot het bestand. Wat rood is, heeft onder Controles links die het verhelpen. Druk op &lt;b&gt;F1&lt;/b&gt; voor meer.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Bijna.&lt;/b&gt; Sleep de ronde greep aan het eind van de rij terug tot geen label meer rood is; dan schrijft &lt;b&gt;Export…&lt;/b&gt; het bestand voor de snijmachine.</translation>
     </message>
 </context>
 <context>

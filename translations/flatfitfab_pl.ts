@@ -3432,6 +3432,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Krok po kroku narysuj, sprawdź i wytnij model, w pustym oknie</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Pomoc o tym, co jest pod kursorem</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Pomoc</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Otwiera pomoc tam, gdzie mówi o tej części okna</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10156,11 +10168,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 i kolejne w folderze %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 w folderze %2</translation>
     </message>
 </context>
@@ -10815,6 +10827,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Klawisze</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10827,6 +10846,26 @@
     <message>
         <source>Close</source>
         <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Strony</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>Zapisz klawisze jako stronę</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Dokumenty PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>Klawisze FlatFitFab</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>Nie można zapisać %1.</translation>
     </message>
 </context>
 <context>
@@ -11178,6 +11217,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Naciśnij klawisze</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Klawisze</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Zapisz je jako stronę do druku…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>W widoku</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>Narysować pierwszą płytkę</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>przeciągnąć na środku</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Narysować płytkę w poprzek innej</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>przeciągnąć na zewnątrz</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Obrócić widok</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>przeciągnąć obok modelu</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Przybliżyć</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>kółko</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Przesunąć widok</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>przeciągnąć środkowym</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Zaznaczyć</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>kliknąć</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Zaznaczyć grupę</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>przeciągnąć z Shift</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Zobaczyć, co można z tym zrobić</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>prawy przycisk</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Dodać punkt</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>dwa razy kliknąć kontur</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Rysować bez przyciągania</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>przytrzymać Ctrl</translation>
     </message>
 </context>
 <context>
@@ -11550,6 +11684,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Ten model jest tu do dopasowania. „Edytuj projekt” przywraca wszystko.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Pomoc: %1</translation>
     </message>
 </context>
 <context>
@@ -15631,36 +15770,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Narysuj tułów.&lt;/b&gt; Naciśnij na środku widoku i jednym pociągnięciem narysuj jego obrys, aż do podłoża.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Narysuj płytkę w poprzek.&lt;/b&gt; Naciśnij wewnątrz tułowia, przeciągnij na zewnątrz przez jego krawędź, nie puszczaj przycisku i narysuj obrys, znów aż do podłoża.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;Rozejrzyj się.&lt;/b&gt; Przeciągnij obok modelu, aby go obrócić; kółkiem się przybliżysz.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Zmierz swój arkusz.&lt;/b&gt; Kliknij jego materiał po prawej stronie paska narzędzi i wpisz grubość: wszystkie szczeliny się dopasują.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;Czy to zadziała?&lt;/b&gt; Mówią o tym oceny nad widokiem. Kliknij jedną z nich, aby przeczytać więcej.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Powtórz ją.&lt;/b&gt; Wybierz &lt;b&gt;Rząd&lt;/b&gt;, a potem kliknij to, o co prosi: kopie staną w rzędzie wzdłuż tułowia.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
         <translation>&lt;b&gt;Wytnij.&lt;/b&gt; &lt;b&gt;Eksportuj…&lt;/b&gt; pokazuje arkusze i zapisuje plik dla wycinarki.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;To cały model,&lt;/b&gt; od pierwszej kreski do pliku. &lt;b&gt;F1&lt;/b&gt; powie więcej.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Narysuj tułów.&lt;/b&gt; Naciśnij na środku widoku i jednym pociągnięciem narysuj jego obrys, płaski u góry, aż do podłoża.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Narysuj płytkę w poprzek.&lt;/b&gt; Naciśnij wewnątrz tułowia i przeciągnij na zewnątrz przez jego krawędź. Nie puszczaj przycisku: widok się obraca. Potem narysuj obrys, znów aż do podłoża.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Zmierz swój arkusz.&lt;/b&gt; Kliknij materiał po prawej stronie paska narzędzi, potem jego grubość, i wpisz, ile zmierzono: wszystkie szczeliny się dopasują.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;Czy to zadziała?&lt;/b&gt; Mówią o tym etykiety nad widokiem. Kliknij jedną z nich, aby przeczytać więcej.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Powtórz ją.&lt;/b&gt; Wybierz &lt;b&gt;Rząd&lt;/b&gt;, kliknij płytkę w poprzek, a potem tułów: kopie staną wzdłuż niego w rzędzie.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;To była cała droga,&lt;/b&gt; od pierwszej kreski do pliku. To, co czerwone, ma pod Kontrola odnośniki, które to naprawią. Naciśnij &lt;b&gt;F1&lt;/b&gt;, aby wiedzieć więcej.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Prawie.&lt;/b&gt; Cofnij okrągły uchwyt na końcu rzędu, aż żadna etykieta nie będzie czerwona; wtedy &lt;b&gt;Eksportuj…&lt;/b&gt; zapisze plik dla wycinarki.</translation>
     </message>
 </context>
 <context>

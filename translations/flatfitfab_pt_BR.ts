@@ -3405,6 +3405,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>Desenhar, verificar e cortar um modelo passo a passo, em uma janela vazia</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>Ajuda sobre o que está sob o cursor</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ajuda</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>Abre a ajuda onde ela fala desta parte da janela</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -10056,11 +10068,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 e seguintes, em %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 em %2</translation>
     </message>
 </context>
@@ -10711,6 +10723,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10723,6 +10742,26 @@
     <message>
         <source>Close</source>
         <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>Salvar as teclas em uma página</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>Teclas do FlatFitFab</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>Não foi possível gravar %1.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11113,101 @@
     <message>
         <source>Press the keys</source>
         <translation>Pressione as teclas</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>Salvar em uma página para imprimir…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>Na vista</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>Desenhar a primeira seção</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>arrastar no meio</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>Desenhar uma seção que atravesse outra</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>arrastar para fora e continuar</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Girar a vista</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>arrastar ao lado do modelo</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>Chegar mais perto</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>roda</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Mover a vista</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>arrastar com o botão do meio</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Selecionar</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clique</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>Selecionar um grupo</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>Shift e arrastar</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>Ver o que se pode fazer</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>clique direito</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Adicionar um ponto</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>clique duplo no contorno</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>Desenhar sem aderir</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>segurar Ctrl</translation>
     </message>
 </context>
 <context>
@@ -11444,6 +11578,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>Este modelo está aqui para ser ajustado. “Editar o projeto” traz tudo de volta.</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>Ajuda: %1</translation>
     </message>
 </context>
 <context>
@@ -15499,36 +15638,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;Desenhe um corpo.&lt;/b&gt; Pressione no meio da vista e desenhe o contorno em um só traço, até o chão.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;Desenhe uma seção que o atravesse.&lt;/b&gt; Pressione dentro do corpo, arraste para fora pela borda, mantenha o botão pressionado e desenhe o contorno, de novo até o chão.</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;Olhe em volta.&lt;/b&gt; Arraste ao lado do modelo para girá-lo; use a roda para chegar mais perto.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;Meça sua chapa.&lt;/b&gt; Clique no material dela, à direita da barra de ferramentas, e digite a espessura: todas as fendas acompanham.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;Vai funcionar?&lt;/b&gt; Os veredictos sobre a vista respondem. Clique em um para ler mais.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;Repita.&lt;/b&gt; Escolha &lt;b&gt;Fileira&lt;/b&gt; e clique no que for pedido: as cópias ficam em fileira ao longo do corpo.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
         <translation>&lt;b&gt;Corte.&lt;/b&gt; &lt;b&gt;Exportar…&lt;/b&gt; mostra as chapas e grava o arquivo para a cortadora.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;Eis um modelo inteiro,&lt;/b&gt; do primeiro traço ao arquivo. &lt;b&gt;F1&lt;/b&gt; conta mais.</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;Desenhe um corpo.&lt;/b&gt; Pressione no meio da vista e desenhe o contorno em um só traço, plano em cima, até o chão.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;Desenhe uma seção que o atravesse.&lt;/b&gt; Pressione dentro do corpo e arraste para fora pela borda. Mantenha o botão pressionado: a vista gira. Depois desenhe o contorno, de novo até o chão.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;Meça sua chapa.&lt;/b&gt; Clique no material à direita da barra de ferramentas, depois na espessura, e digite o que você mediu: todas as fendas acompanham.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;Vai funcionar?&lt;/b&gt; Os selos sobre a vista dizem. Clique em um para ler mais.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;Repita.&lt;/b&gt; Escolha &lt;b&gt;Fileira&lt;/b&gt;, clique na seção que atravessa o corpo e depois no corpo: as cópias ficam em fileira ao longo dele.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Esse foi o caminho todo,&lt;/b&gt; do primeiro traço ao arquivo. O que está vermelho tem links em Verificações que o corrigem. Pressione &lt;b&gt;F1&lt;/b&gt; para saber mais.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;Quase.&lt;/b&gt; Arraste para trás a alça redonda no fim da fileira até nenhum selo estar vermelho; então &lt;b&gt;Exportar…&lt;/b&gt; grava o arquivo para a cortadora.</translation>
     </message>
 </context>
 <context>

@@ -3378,6 +3378,18 @@
         <source>Draw, check and cut a model step by step, in an empty window</source>
         <translation>在空窗口里一步步画出、检查并切割一个模型</translation>
     </message>
+    <message>
+        <source>Help on what is under the cursor</source>
+        <translation>光标下内容的帮助</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Open the help where it tells about this part of the window</source>
+        <translation>打开讲解窗口这一部分的帮助</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -9956,11 +9968,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 its folder&apos;s</extracomment>
         <translation>%1 等文件，在 %2 中</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1，在 %2 中</translation>
     </message>
 </context>
@@ -10607,6 +10619,13 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::HelpPages</name>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -10619,6 +10638,26 @@
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Save the keys as a page</source>
+        <translation>把按键另存为一页</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF 文档 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>FlatFitFab keys</source>
+        <translation>FlatFitFab 按键</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>无法写入 %1。</translation>
     </message>
 </context>
 <context>
@@ -10970,6 +11009,101 @@
     <message>
         <source>Press the keys</source>
         <translation>请按键</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeysList</name>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Save them as a page to print…</source>
+        <translation>另存为可打印的一页…</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>在视图中</translation>
+    </message>
+    <message>
+        <source>Draw the first section</source>
+        <translation>画第一个插片</translation>
+    </message>
+    <message>
+        <source>drag in the middle</source>
+        <translation>在中间拖动</translation>
+    </message>
+    <message>
+        <source>Draw a section across another one</source>
+        <translation>画一个横穿另一个的插片</translation>
+    </message>
+    <message>
+        <source>drag out of it, go on</source>
+        <translation>拖到外面，继续画</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>转动视图</translation>
+    </message>
+    <message>
+        <source>drag beside the model</source>
+        <translation>在模型旁边拖动</translation>
+    </message>
+    <message>
+        <source>Come nearer</source>
+        <translation>靠近</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>移动视图</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>按住中键拖动</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>点击</translation>
+    </message>
+    <message>
+        <source>Select a group</source>
+        <translation>选择一组</translation>
+    </message>
+    <message>
+        <source>Shift and drag</source>
+        <translation>按住 Shift 拖动</translation>
+    </message>
+    <message>
+        <source>Do what can be done with it</source>
+        <translation>查看能做什么</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>右键点击</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>添加点</translation>
+    </message>
+    <message>
+        <source>double click on the contour</source>
+        <translation>双击轮廓</translation>
+    </message>
+    <message>
+        <source>Draw without snapping</source>
+        <translation>不吸附地画</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>按住 Ctrl</translation>
     </message>
 </context>
 <context>
@@ -11338,6 +11472,11 @@
     <message>
         <source>This model is here to be adjusted. “Edit the design” brings all back.</source>
         <translation>这个模型供调整使用。“编辑设计”可恢复全部功能。</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <extracomment>in the search: %1 is a heading of the help</extracomment>
+        <translation>帮助：%1</translation>
     </message>
 </context>
 <context>
@@ -15367,36 +15506,40 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TourGuide</name>
     <message>
-        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, down to the ground.</source>
-        <translation>&lt;b&gt;画一个身体。&lt;/b&gt;在视图中间按下，一笔画出轮廓，一直到地面。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body, drag out across its edge, keep the button down and draw the outline, down to the ground again.</source>
-        <translation>&lt;b&gt;画一个横穿它的插片。&lt;/b&gt;在身体里面按下，拖过边缘到外面，不要松开，接着画出轮廓，同样到地面。</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Look around.&lt;/b&gt; Drag beside the model to turn it; roll the wheel to come nearer.</source>
         <translation>&lt;b&gt;四处看看。&lt;/b&gt;在模型旁边拖动可以转动它；滚动滚轮可以靠近。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click its stock at the right of the tool bar and type its thickness: all slits follow.</source>
-        <translation>&lt;b&gt;量一量你的板材。&lt;/b&gt;点击工具栏右侧的材料，输入厚度：所有插槽都会跟着变。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Will it work?&lt;/b&gt; The verdicts over the view say so. Click one to read more.</source>
-        <translation>&lt;b&gt;行得通吗？&lt;/b&gt;视图上方的结论会告诉你。点击其中一个可以了解更多。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, then click what it asks for: copies stand in a row along the body.</source>
-        <translation>&lt;b&gt;重复它。&lt;/b&gt;选择&lt;b&gt;成排&lt;/b&gt;，再点击它要求的对象：副本沿着身体排成一排。</translation>
     </message>
     <message>
         <source>&lt;b&gt;Cut it.&lt;/b&gt; &lt;b&gt;Export…&lt;/b&gt; shows the sheets and writes the file for the cutter.</source>
         <translation>&lt;b&gt;切出来。&lt;/b&gt;&lt;b&gt;导出…&lt;/b&gt;会显示板材，并写出切割机用的文件。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;That is a whole model,&lt;/b&gt; from the first stroke to the file. &lt;b&gt;F1&lt;/b&gt; tells more.</source>
-        <translation>&lt;b&gt;一个完整的模型就做好了，&lt;/b&gt;从第一笔到文件。按 &lt;b&gt;F1&lt;/b&gt; 了解更多。</translation>
+        <source>&lt;b&gt;Draw a body.&lt;/b&gt; Press in the middle of the view and draw its outline in one go, flat along the top, down to the ground.</source>
+        <translation>&lt;b&gt;画一个身体。&lt;/b&gt;在视图中间按下，一笔画出轮廓，上面要平，一直到地面。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw a section across it.&lt;/b&gt; Press inside the body and drag out across its edge. Keep the button down: the view turns. Then draw the outline, down to the ground again.</source>
+        <translation>&lt;b&gt;画一个横穿它的插片。&lt;/b&gt;在身体里面按下，拖过边缘到外面。不要松开：视图会转过来。接着画出轮廓，同样到地面。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Measure your sheet.&lt;/b&gt; Click the stock at the right of the tool bar, then its thickness, and type what you measured: all slits follow.</source>
+        <translation>&lt;b&gt;量一量你的板材。&lt;/b&gt;点击工具栏右侧的材料，再点击厚度，输入量到的数值：所有插槽都会跟着变。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Will it work?&lt;/b&gt; The badges over the view tell you. Click one to read more.</source>
+        <translation>&lt;b&gt;行得通吗？&lt;/b&gt;视图上方的标签会告诉你。点击其中一个可以了解更多。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Repeat it.&lt;/b&gt; Choose &lt;b&gt;Linear&lt;/b&gt;, click the section that you drew across, then the body: copies stand in a row along it.</source>
+        <translation>&lt;b&gt;重复它。&lt;/b&gt;选择&lt;b&gt;成排&lt;/b&gt;，点击横穿的插片，再点击身体：副本沿着身体排成一排。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;That was all of the way,&lt;/b&gt; from the first stroke to the file. What is red has links under Checks that fix it. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;全程就是这样，&lt;/b&gt;从第一笔到文件。红色的问题在“检查”里有链接可以修好。按 &lt;b&gt;F1&lt;/b&gt; 了解更多。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
+        <translation>&lt;b&gt;差一点。&lt;/b&gt;把这一排末端的圆形手柄往回拖，直到没有红色标签；然后用&lt;b&gt;导出…&lt;/b&gt;写出切割机用的文件。</translation>
     </message>
 </context>
 <context>

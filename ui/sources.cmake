@@ -56,7 +56,6 @@ target_sources(fff_ui PRIVATE
     dialogs/export_remarks.cpp
     dialogs/export_rows.cpp
     dialogs/file_question.cpp
-    dialogs/help_window.cpp
     dialogs/key_recorder.cpp
     dialogs/libraries.cpp
     dialogs/parts_table.cpp
@@ -132,6 +131,10 @@ target_sources(fff_ui PRIVATE
     files/unsaved_work.cpp
     files/workshop.cpp
     files/written_files.cpp
+    help/help_key.cpp
+    help/help_pages.cpp
+    help/help_window.cpp
+    help/keys_list.cpp
     properties/choice_box.cpp
     properties/dimension_group.cpp
     properties/drawing_group.cpp
@@ -203,6 +206,7 @@ target_sources(fff_ui PRIVATE
     window/export_button.cpp
     window/main_tool_bar.cpp
     window/main_window.cpp
+    window/main_window_help.cpp
     window/main_window_scope.cpp
     window/main_window_tour.cpp
     window/main_window_commands.cpp

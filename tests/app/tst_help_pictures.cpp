@@ -29,6 +29,11 @@ QStringList languages()
     return helpFolder().entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
 }
 
+QStringList englishPages()
+{
+    return helpFolder().entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name);
+}
+
 QString textOf(const QString &path)
 {
     QFile file(path);
@@ -98,11 +103,12 @@ private Q_SLOTS:
     void linksLeadSomewhere_data()
     {
         QTest::addColumn<QString>("page");
-        QStringList pages{QStringLiteral("/help/first_steps.md"), QStringLiteral("/help/more.md"),
-                          QStringLiteral("/../README.md")};
-        for (const QString &language : languages())
-            pages += {QStringLiteral("/help/%1/first_steps.md").arg(language),
-                      QStringLiteral("/help/%1/more.md").arg(language)};
+        QStringList pages{QStringLiteral("/../README.md")};
+        for (const QString &page : englishPages()) {
+            pages += QStringLiteral("/help/") + page;
+            for (const QString &language : languages())
+                pages += QStringLiteral("/help/%1/%2").arg(language, page);
+        }
         for (const QString &page : pages)
             QTest::newRow(qPrintable(page)) << QStringLiteral(FFF_RESOURCES) + page;
     }
@@ -127,9 +133,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("page");
         for (const QString &language : languages())
-            for (const char *page : {"first_steps.md", "more.md"})
-                QTest::newRow(qPrintable(language + u' ' + QLatin1String(page)))
-                    << language << QString::fromLatin1(page);
+            for (const QString &page : englishPages())
+                QTest::newRow(qPrintable(language + u' ' + page)) << language << page;
     }
     void pagesSayTheSame()
     {
@@ -150,7 +155,7 @@ private Q_SLOTS:
             return marks;
         };
         const QStringList english = skeleton(helpFolder().filePath(page));
-        QVERIFY(english.size() > 15);
+        QVERIFY(english.size() > 8);
         QCOMPARE(skeleton(helpFolder().filePath(language + u'/' + page)), english);
     }
 };

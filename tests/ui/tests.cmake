@@ -45,6 +45,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/files/tst_format_filters
     ui/files/tst_progress
     ui/files/tst_windows
+    ui/help/tst_help
     ui/properties/tst_choice_box
     ui/properties/tst_link_row
     ui/properties/tst_slider_field

@@ -89,6 +89,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          kSearchedMenu},
         {QT_TR_NOOP("&Checks"),
          "check.previousProblem physics.whereStrong physics.addPush physics.pull", kSearchedMenu},
+        {QT_TR_NOOP("&Help"), "help.here @help", kSearchedMenu},
 
         {"",
          "section.transform section.redraw section.addHole >onIt | edit.copy edit.duplicate "

@@ -1,8 +1,15 @@
-// The help: pages with pictures that are part of the program, read beside the model.
+// The help: pages with pictures that are part of the program, read beside the model, with a list of
+// them at the left.
 #pragma once
+
+#include "ui/actions/action_finder.h"
+#include "ui/help/help_pages.h"
 
 #include <QDialog>
 
+#include <functional>
+
+class QListWidget;
 class QTextBrowser;
 
 namespace fff::ui {
@@ -11,13 +18,22 @@ class HelpWindow : public QDialog
 {
     Q_OBJECT
 public:
-    explicit HelpWindow(QWidget *parent);
+    /// What there is to be done, with its keys.
+    using Actions = std::function<QList<ListedAction>()>;
+
+    HelpWindow(Actions actions, QWidget *parent);
 
     /// In the window's language where there is such a page.
-    /// page   its name, such as "first_steps"
-    void open(const QString &page);
+    void open(const HelpTopic &topic);
 
 private:
+    void show(const HelpTopic &topic);
+    void follow(const QUrl &link);
+    void markPage(const QUrl &address);
+    void saveCheatSheet();
+
+    const Actions m_actions;
+    QListWidget *m_pages = nullptr;
     QTextBrowser *m_text = nullptr;
 };
 

@@ -13,7 +13,6 @@
 #include "ui/bench/status_line.h"
 #include "ui/bench/viewport.h"
 #include "ui/bench/workbench.h"
-#include "ui/dialogs/help_window.h"
 #include "ui/dialogs/stock_editor.h"
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/history_dock.h"
@@ -27,6 +26,7 @@
 #include "ui/files/file_drop.h"
 #include "ui/files/recent_menu.h"
 #include "ui/files/unsaved_work.h"
+#include "ui/help/help_key.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
@@ -258,13 +258,6 @@ void MainWindow::showStocks(StockId stock, const QString &field)
     m_stocks->open(stock, field);
 }
 
-void MainWindow::showHelp(const QString &page)
-{
-    if (!m_help)
-        m_help = new HelpWindow(this);
-    m_help->open(page);
-}
-
 void MainWindow::makeMenus()
 {
     m_actions->action("file.quit")->setMenuRole(QAction::QuitRole);
@@ -282,8 +275,11 @@ void MainWindow::makeMenus()
             connect(recent, &RecentMenu::chosen, this,
                     [this](const QString &path) { openFiles({path}); });
             menu->addMenu(recent);
+        } else if (id == QStringLiteral("@help")) {
+            addHelpPages(menu);
         }
     });
+    new HelpKey(*this, [this](const HelpTopic &topic, QWidget *over) { showHelp(topic, over); });
 }
 
 void MainWindow::resetLayout()

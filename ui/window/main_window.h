@@ -9,6 +9,7 @@ namespace fff {
 class CheckList;
 }
 
+class QMenu;
 class QStackedWidget;
 
 namespace fff::ui {
@@ -24,6 +25,7 @@ class ChecksDock;
 class DocumentFiles;
 class FirstSections;
 class HelpWindow;
+struct HelpTopic;
 class HistoryDock;
 class LibraryDock;
 class TemplatesDock;
@@ -103,7 +105,9 @@ private:
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.
     void showStocks(StockId stock, const QString &field = {});
-    void showHelp(const QString &page);
+    void showHelp(const HelpTopic &topic, QWidget *over = nullptr);
+    void showHelpHere();
+    void addHelpPages(QMenu *menu);
     void refreshTheme();
 
     Workbench *m_bench = nullptr;

@@ -12,6 +12,7 @@
 #include "ui/docks/properties_dock.h"
 #include "ui/docks/values_dock.h"
 #include "ui/files/document_files.h"
+#include "ui/help/help_pages.h"
 #include "ui/settings/settings.h"
 #include "ui/sheets/sheets_dock.h"
 #include "ui/steps/steps_view.h"
@@ -103,8 +104,11 @@ constexpr CommandWords kWords[] = {
      "plus", FFF_TEXT("Command", "A number with a name, which number fields take")},
     {"edit.find", FFF_TEXT("Command", "&Find a command…"), FFF_TEXT("Command", "Find"), "Ctrl+K",
      "search", FFF_TEXT("Command", "Type to find anything that the program can do")},
-    {"help.firstSteps", FFF_TEXT("Command", "First ste&ps"), FFF_TEXT("Command", "First steps"),
-     "F1", "help", FFF_TEXT("Command", "How a model is made, step by step, with pictures")},
+    {"help.firstSteps", FFF_TEXT("Command", "First ste&ps"), FFF_TEXT("Command", "First steps"), "",
+     "help", FFF_TEXT("Command", "How a model is made, step by step, with pictures")},
+    {"help.here", FFF_TEXT("Command", "Help on what is under the cursor"),
+     FFF_TEXT("Command", "Help"), "F1", "help",
+     FFF_TEXT("Command", "Open the help where it tells about this part of the window")},
     {"help.tour", FFF_TEXT("Command", "Your first model in 3 &minutes"),
      FFF_TEXT("Command", "Tour"), "", "play",
      FFF_TEXT("Command", "Draw, check and cut a model step by step, in an empty window")},
@@ -173,7 +177,8 @@ void MainWindow::addCommands()
     add("file.close", [this] { close(); });
     add("file.quit", [] { closeAllWindows(); });
     add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });
-    add("help.firstSteps", [this] { showHelp(QStringLiteral("first_steps")); });
+    add("help.firstSteps", [this] { showHelp({QStringLiteral("first_steps")}); });
+    add("help.here", [this] { showHelpHere(); });
     add("help.tour", [this] { startTour(); });
     add("help.start", [this] { showStartPage(); });
     add(

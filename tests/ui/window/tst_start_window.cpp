@@ -6,7 +6,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/cards/card_grid.h"
 #include "ui/cards/thumbnails.h"
-#include "ui/dialogs/help_window.h"
+#include "ui/help/help_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/windows.h"
 
@@ -150,8 +150,8 @@ private Q_SLOTS:
         QFETCH(QString, title);
         const QLocale usual;
         QLocale::setDefault(language);
-        HelpWindow help(nullptr);
-        help.open(QStringLiteral("first_steps"));
+        HelpWindow help([] { return QList<ListedAction>(); }, nullptr);
+        help.open({QStringLiteral("first_steps")});
         QLocale::setDefault(usual);
         const auto *text = help.findChild<QTextBrowser *>();
         const QString plain = text->toPlainText();
