@@ -6112,6 +6112,14 @@
     </message>
 </context>
 <context>
+    <name>Listing</name>
+    <message>
+        <source>, </source>
+        <extracomment>between the entries of a list in a sentence, with its blank</extracomment>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
     <name>LoadPreset</name>
     <message>
         <source>Glass of water</source>

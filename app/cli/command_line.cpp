@@ -2,6 +2,7 @@
 
 #include "app/cli/value_options.h"
 #include "core/io/error_text.h"
+#include "core/io/listing.h"
 #include "core/io/stock_file.h"
 #include "core/io/warning_summary.h"
 #include "core/model/edits.h"

@@ -8,6 +8,7 @@
 #include "core/io/cutting_file.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
+#include "core/io/listing.h"
 #include "core/io/machine_library.h"
 #include "core/nesting/problem.h"
 #include "core/operations/evaluate.h"

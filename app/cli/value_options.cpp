@@ -1,5 +1,6 @@
 #include "app/cli/value_options.h"
 
+#include "core/io/listing.h"
 #include "core/operations/driven.h"
 #include "core/session/message_text.h"
 #include "core/values/presets.h"

@@ -1,6 +1,7 @@
 #include "core/io/error_text.h"
 
 #include "core/io/formats.h"
+#include "core/io/listing.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>

@@ -101,13 +101,6 @@ QString patternOf(const Format &format)
     return pattern(format.suffixes.front());
 }
 
-QString enumerated(const QStringList &list, const QString &lastTwo, const QString &between)
-{
-    if (list.size() < 2)
-        return list.join(QString());
-    return lastTwo.arg(list.mid(0, list.size() - 1).join(between), list.last());
-}
-
 AddedFormat::AddedFormat(const Format &format)
 {
     table().push_back(&format);

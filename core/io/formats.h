@@ -106,10 +106,6 @@ const Format *formatWritten(const QString &suffix, Ability ability = &Format::is
 QString patternsRead(Ability ability);
 QString patternOf(const Format &format);
 
-/// "a, b or c": lastTwo is "%1 or %2" in the language of the list.
-QString enumerated(const QStringList &list, const QString &lastTwo,
-                   const QString &between = QStringLiteral(", "));
-
 /// For tests: one more, at the end, while this lives. On the main thread, when nothing is read.
 class AddedFormat
 {

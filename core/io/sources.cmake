@@ -25,6 +25,7 @@ target_sources(fff_io PRIVATE
     flatfab_text.cpp
     formats.cpp
     full_stop.cpp
+    listing.cpp
     gcode_writer.cpp
     gltf_accessor.cpp
     gltf_reader.cpp

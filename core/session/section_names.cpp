@@ -1,5 +1,7 @@
 #include "core/session/section_names.h"
 
+#include "core/io/listing.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -68,7 +70,7 @@ QString runText(const QString &word, std::vector<int> numbers)
     const bool isDouble = std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end();
     if (!hasRun || isDouble || said.size() > kMostPieces)
         return {};
-    const QString all = QStringList(said.begin(), said.end()).join(QStringLiteral(", "));
+    const QString all = separated(QStringList(said.begin(), said.end()));
     const QString first = QString::number(numbers.front());
     //: what the program calls a section that nobody has named; %1 is its number
     if (SectionNamesTexts::tr("Section %1").arg(first) == word + u' ' + first)
@@ -90,7 +92,7 @@ QString listed(QStringList names)
         return names.join(QString());
     const QString last = names.takeLast();
     //: the end of a list of names
-    return SectionNamesTexts::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+    return SectionNamesTexts::tr("%1 and %2").arg(separated(names), last);
 }
 
 QStringList inRuns(const QStringList &names)

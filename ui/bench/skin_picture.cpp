@@ -2,6 +2,7 @@
 
 #include "core/analysis/asked_skin.h"
 #include "core/io/full_stop.h"
+#include "core/io/listing.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "ui/bench/workbench.h"
@@ -35,7 +36,7 @@ QString namesOf(const OpenPlace &place, const std::vector<SectionPointer> &secti
         }
         names += QString::fromStdString(sections[static_cast<std::size_t>(section)]->name);
     }
-    return names.join(QStringLiteral(", "));
+    return separated(names);
 }
 
 /// Why the first of the places stay open, a line each.

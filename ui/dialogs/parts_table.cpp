@@ -1,5 +1,6 @@
 #include "ui/dialogs/parts_table.h"
 
+#include "core/io/listing.h"
 #include "ui/bench/measures.h"
 
 #include <QCoreApplication>
@@ -43,7 +44,7 @@ QString rangesText(const std::vector<int> &numbers)
                                   .arg(numbers[last]);
         i = last + 1;
     }
-    return ranges.join(QStringLiteral(", "));
+    return separated(ranges);
 }
 
 } // namespace

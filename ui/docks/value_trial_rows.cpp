@@ -2,6 +2,7 @@
 
 #include "core/interaction/value_editing.h"
 #include "core/interaction/value_trial_editing.h"
+#include "core/io/listing.h"
 #include "core/operations/driven.h"
 #include "core/session/message_text.h"
 #include "core/session/scheduler.h"
@@ -33,7 +34,7 @@ QString namesOfOtherRanges(const Document &before, const Document &now)
         if (was && (was->range != known->value.range || was->choices != known->value.choices))
             names += QString::fromStdString(known->value.name);
     }
-    return names.join(QStringLiteral(", "));
+    return separated(names);
 }
 
 } // namespace
@@ -155,7 +156,7 @@ QString ValueTrialRows::verdict() const
         //: %1 is a number, %2 a list such as "Falls over (5), Breaks (2)"
         said = tr("%1 of %n variant(s) fail: %2.", nullptr, count)
                    .arg(failing)
-                   .arg(faults.join(QStringLiteral(", ")));
+                   .arg(separated(faults));
     }
     if (static_cast<double>(trials.corners) < trials.allCorners)
         said += u' ' + tr("Of %1 corners %2 were tried.")
@@ -179,7 +180,7 @@ QString ValueTrialRows::placeText(std::size_t index) const
     if (!place.wrong.isEmpty())
         faults += messageText(place.wrong, unitsInUse());
     //: %1 is "width 400 mm, boards 6", %2 what is wrong there
-    return tr("%1: %2").arg(values.join(QStringLiteral(", ")), faults.join(QStringLiteral(", ")));
+    return tr("%1: %2").arg(separated(values), separated(faults));
 }
 
 void ValueTrialRows::showPlaces()

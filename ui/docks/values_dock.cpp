@@ -1,6 +1,7 @@
 #include "ui/docks/values_dock.h"
 
 #include "core/interaction/value_editing.h"
+#include "core/io/listing.h"
 #include "core/operations/value_dependents.h"
 #include "core/session/message_text.h"
 #include "ui/base/icon.h"
@@ -150,7 +151,7 @@ QString ValuesDock::stocks() const
     for (const StockId id : used)
         if (const Stock *stock = model.document.find(id))
             names += stockText(*stock, locale());
-    return names.join(QStringLiteral(", "));
+    return separated(names);
 }
 
 /// What stands above and below the rows.

@@ -6,6 +6,7 @@
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
 #include "core/io/formats.h"
+#include "core/io/listing.h"
 #include "core/session/scheduler.h"
 #include "core/session/sheet_nesting.h"
 #include "core/skin/skin.h"
@@ -328,7 +329,7 @@ QStringList Exporting::olderSheets(const QString &path, std::size_t count, const
         names += QFileInfo(file).fileName();
     return names.isEmpty() ? QStringList()
                            : QStringList{tr("Sheets of an earlier export are still there: %1.")
-                                             .arg(names.join(QStringLiteral(", ")))};
+                                             .arg(separated(names))};
 }
 
 QStringList Exporting::warningsOf(const io::CuttingFile &file)

@@ -2,6 +2,7 @@
 
 #include "core/io/error_text.h"
 #include "core/io/formats.h"
+#include "core/io/listing.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,5 +1,6 @@
 #include "ui/files/replace_question.h"
 
+#include "core/io/listing.h"
 #include "ui/base/theme.h"
 #include "ui/dialogs/export_place_row.h"
 
@@ -42,7 +43,7 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
     if (named.size() < there.size())
         named += QStringLiteral("…");
     question.setInformativeText(ExportPlaceRow::placeText(
-        named.join(QStringLiteral(", ")), QFileInfo(files.front().path).absoluteDir()));
+        separated(named), QFileInfo(files.front().path).absoluteDir()));
     QPushButton *replace =
         question.addButton(ReplaceQuestionTexts::tr("Replace"), QMessageBox::AcceptRole);
     QPushButton *back =

@@ -1,5 +1,6 @@
 #include "ui/window/spoken_selection.h"
 
+#include "core/io/listing.h"
 #include "core/session/check_list.h"
 #include "ui/bench/load_words.h"
 #include "ui/bench/workbench.h"
@@ -44,7 +45,7 @@ QString sectionText(const Model &model, const SectionRef &ref, const CheckList &
         words += SpokenSelectionTexts::tr("locked");
     words += hasProblem(checks, ref) ? SpokenSelectionTexts::tr("has a problem")
                                      : SpokenSelectionTexts::tr("no problem");
-    return words.join(QStringLiteral(", "));
+    return separated(words);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The table of formats. If this fails, a format that was added is missing somewhere, or one has
 // changed what is said of it.
 #include "tests/core/io/added_format.h"
+#include "core/io/listing.h"
 #include "tests/test_program.h"
 
 #include "core/analysis/analysis.h"
