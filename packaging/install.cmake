@@ -17,6 +17,9 @@ install(TARGETS flatfitfab-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(FFF_BUILD_WINDOW)
     install(TARGETS flatfitfab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+# Files that a teacher hands out.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/lessons DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flatfitfab
+    FILES_MATCHING PATTERN *.fff)
 if(UNIX AND NOT APPLE)
     include(${CMAKE_CURRENT_LIST_DIR}/linux/desktop.cmake)
     include(${CMAKE_CURRENT_LIST_DIR}/linux/deb.cmake)

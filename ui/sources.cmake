@@ -221,6 +221,7 @@ target_sources(fff_ui PRIVATE
 )
 include(${CMAKE_SOURCE_DIR}/resources/help/help.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
+include(${CMAKE_SOURCE_DIR}/resources/lessons/lessons.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/licences/licences.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/samples/samples.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/style/style.cmake)

@@ -40,6 +40,7 @@ foreach(program ${programs})
 endforeach()
 file(REMOVE_RECURSE ${FOLDER}/bin)
 file(REMOVE ${FOLDER}/share/doc/flatfitfab/changelog.Debian.gz)
+file(RENAME ${FOLDER}/share/doc/flatfitfab/lessons ${FOLDER}/lessons)
 
 foreach(plugin ${wanted})
     if(EXISTS ${qt_plugins}/${plugin})

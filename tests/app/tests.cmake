@@ -11,6 +11,7 @@ fff_tests(tests_app LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     app/tst_cli_skin
     app/tst_cli_slices
     app/tst_cli_suggest
+    app/tst_lessons
     ALONE app/tst_cli_simulate)
 target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>"
     FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples"

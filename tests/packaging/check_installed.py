@@ -67,6 +67,11 @@ def check_desktop(prefix, version, environment):
     run("bash", "-n", share / "bash-completion/completions/flatfitfab-cli")
 
 
+def check_lessons(prefix, sources):
+    there = {file.name: file.read_bytes() for file in (prefix / "share/doc/flatfitfab/lessons").iterdir()}
+    expect("lessons", there, {file.name: file.read_bytes() for file in (sources / "resources/lessons").glob("*.fff")})
+
+
 def check_kinds(prefix, environment):
     subprocess.run(["update-mime-database", prefix / "share/mime"], capture_output=True, check=True)
     for name, (text, kind) in KINDS.items():
@@ -85,6 +90,7 @@ def main(cmake, build, sources, version):
         environment = dict(os.environ, LC_ALL="C.UTF-8", LANGUAGE="", **home)
         check_programs(prefix, build, sources, version, environment)
         check_desktop(prefix, version, environment)
+        check_lessons(prefix, sources)
         check_kinds(prefix, environment)
     print("installs, runs and is known to the system")
 

@@ -119,10 +119,10 @@ std::optional<HelpTopic> topicOfOne(const QWidget &widget)
 
 const QStringList &helpPages()
 {
-    static const QStringList pages{QStringLiteral("first_steps"), QStringLiteral("operations"),
-                                   QStringLiteral("joints"),      QStringLiteral("strength"),
-                                   QStringLiteral("templates"),   QStringLiteral("cutting"),
-                                   QStringLiteral("more"),        kKeysPage};
+    static const QStringList pages{
+        QStringLiteral("first_steps"), QStringLiteral("operations"), QStringLiteral("joints"),
+        QStringLiteral("strength"),    QStringLiteral("templates"),  QStringLiteral("cutting"),
+        QStringLiteral("lessons"),     QStringLiteral("more"),       kKeysPage};
     return pages;
 }
 

@@ -28,6 +28,7 @@ constexpr int kBesideText = 32, kLeastList = 170, kRowHeight = 30; // px
 
 const QString kKeysAddress = QStringLiteral("qrc:/help/keys");
 const QString kCheatSheet = QStringLiteral("action:cheat-sheet");
+const QString kLesson = QStringLiteral("lesson");
 
 /// Its pictures are no wider than there is room for.
 class PageBrowser : public QTextBrowser
@@ -167,6 +168,8 @@ void HelpWindow::follow(const QUrl &link)
 {
     if (link == QUrl(kCheatSheet))
         saveCheatSheet();
+    else if (link.scheme() == kLesson)
+        Q_EMIT lessonChosen(QStringLiteral(":/lessons/%1.fff").arg(link.path()));
     else
         show({pageAt(link)});
 }

@@ -26,6 +26,10 @@ public:
     /// In the window's language where there is such a page.
     void open(const HelpTopic &topic);
 
+Q_SIGNALS:
+    /// A link to a lesson's file was followed: :/lessons/…
+    void lessonChosen(const QString &path);
+
 private:
     void show(const HelpTopic &topic);
     void follow(const QUrl &link);

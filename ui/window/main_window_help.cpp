@@ -4,6 +4,7 @@
 #include "ui/help/help_key.h"
 #include "ui/help/help_window.h"
 #include "ui/window/main_window.h"
+#include "ui/window/windows.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -16,13 +17,19 @@ void MainWindow::showHelp(const HelpTopic &topic, QWidget *over)
     const auto actions = [this] { return listedActions(*menuBar()); };
     if (over) {
         auto *help = new HelpWindow(actions, over);
+        // Another window: the dialog stays about what is shown in this one.
+        connect(help, &HelpWindow::lessonChosen, this,
+                [this](const QString &path) { ui::openFiles(*openWindow(this), {path}, true); });
         help->setAttribute(Qt::WA_DeleteOnClose);
         help->setWindowModality(Qt::WindowModal);
         help->open(topic);
         return;
     }
-    if (!m_help)
+    if (!m_help) {
         m_help = new HelpWindow(actions, this);
+        connect(m_help, &HelpWindow::lessonChosen, this,
+                [this](const QString &path) { ui::openFiles(*this, {path}, true); });
+    }
     m_help->open(topic);
 }
 

@@ -80,7 +80,7 @@ int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
         std::optional<io::LoadedDocument> loaded = from.files().read(path);
         if (!loaded)
             continue;
-        if (path.startsWith(QStringLiteral(":/samples/")))
+        if (path.startsWith(u":/")) // samples, lessons
             loaded->document = inThisLanguage(loaded->document);
         MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
         window->files().show(*loaded, path, asCopy);

@@ -2,6 +2,8 @@
 // found by their words, and all keys fit on a page. If this fails, F1 is a guess.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/io/document_file.h"
+#include "core/model/told_names.h"
 #include "tests/test_program.h"
 #include "tests/ui/dialogs/export_hand.h"
 #include "tests/ui/work_folder.h"
@@ -15,8 +17,11 @@
 #include "ui/docks/templates_dock.h"
 #include "ui/help/help_window.h"
 #include "ui/help/keys_list.h"
+#include "ui/start/sample_texts.h"
 #include "ui/window/main_tool_bar.h"
+#include "ui/window/windows.h"
 
+#include <QDir>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QTextBlock>
@@ -25,6 +30,22 @@
 
 using namespace fff;
 using namespace fff::ui;
+
+namespace {
+
+/// Links of a page that begin so.
+QStringList linksOf(const QTextDocument &page, const QString &begin)
+{
+    QStringList links;
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next())
+        for (auto it = block.begin(); !it.atEnd(); ++it)
+            if (const QString link = it.fragment().charFormat().anchorHref();
+                link.startsWith(begin))
+                links += link;
+    return links;
+}
+
+} // namespace
 
 class TestHelp : public QObject
 {
@@ -41,6 +62,8 @@ private Q_SLOTS:
     void theKeyOpensIt();
     void theKeyWorksOverADialog();
     void headingsAreFoundByTheirWords();
+    void aLessonOpensAsACopy();
+    void lessonsCanBeToldInEachLanguage();
     void allKeysAreListed();
     void theKeysFitOnAPage_data();
     void theKeysFitOnAPage();
@@ -197,6 +220,47 @@ void TestHelp::headingsAreFoundByTheirWords()
         }
     QVERIFY(help() && help()->isVisible());
     QCOMPARE(pageOf(help()), QStringLiteral("cutting.md"));
+}
+
+// Wrong: a teacher clicks on the starting file, and the page is empty or the model is the
+// program's own.
+void TestHelp::aLessonOpensAsACopy()
+{
+    actionOf(*m_window, "help.firstSteps")->trigger();
+    help()->open({QStringLiteral("lessons")});
+    auto *text = help()->findChild<QTextBrowser *>();
+    const QStringList links = linksOf(*text->document(), QStringLiteral("lesson:"));
+    QCOMPARE(links.size(), 6);
+    for (const QString &link : links)
+        QVERIFY2(QFile::exists(QStringLiteral(":/lessons/%1.fff").arg(link.section(u':', 1))),
+                 qPrintable(link));
+    const qsizetype before = mainWindows().size();
+    Q_EMIT text->anchorClicked(QUrl(links.front()));
+    QCOMPARE(mainWindows().size(), before + 1); // beside what was being done
+    MainWindow *opened = nullptr;
+    for (MainWindow *window : mainWindows())
+        if (window != m_window)
+            opened = window;
+    QVERIFY(opened);
+    QCOMPARE(opened->bench().session().model().sectionCount(), std::size_t(1));
+    QVERIFY(!opened->files().isSaved());
+    QCOMPARE(opened->files().name(), QStringLiteral("1_toy_animal_start.fff"));
+    QCOMPARE(pageOf(help()), QStringLiteral("lessons.md")); // it is read beside the model
+}
+
+// Wrong: a window in Japanese with "Front legs" in it.
+void TestHelp::lessonsCanBeToldInEachLanguage()
+{
+    const QStringList known = sampleTexts();
+    for (const QString &file : QDir(QStringLiteral(":/lessons")).entryList()) {
+        const auto loaded = io::readDocument(QStringLiteral(":/lessons/") + file);
+        QVERIFY2(loaded, qPrintable(file));
+        withNamesTold(loaded->document, [&](const std::string &name) {
+            if (!known.contains(QString::fromStdString(name)))
+                QTest::qFail(name.c_str(), __FILE__, __LINE__);
+            return name;
+        });
+    }
 }
 
 void TestHelp::allKeysAreListed()
