@@ -194,6 +194,11 @@ void TestHelp::theKeyWorksOverADialog()
         auto *over = dialog->findChild<HelpWindow *>();
         QVERIFY(over && over->isVisible());
         QCOMPARE(pageOf(over), QStringLiteral("cutting.md"));
+        // What the dialog is about stays where it is.
+        Q_EMIT over->findChild<QTextBrowser *>()->anchorClicked(
+            QUrl(QStringLiteral("lesson:2_shelf_start")));
+        QCOMPARE(mainWindows().size(), 2);
+        QCOMPARE(m_window->bench().session().model().sectionCount(), std::size_t(1));
         over->close();
         QVERIFY(dialog->isVisible());
     });
