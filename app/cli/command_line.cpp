@@ -43,7 +43,7 @@ constexpr std::array kVerbs = {
          "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [--template TEMPLATE[@SIZE]] "
          "[options]",
          QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
-    Verb{"steps", "FILE -o OUT.{pdf,png} [--paper SIZE] [--size WxH] [--view VIEW] [options]",
+    Verb{"steps", "FILE -o OUT.{pdf,html,png} [--paper SIZE] [--size WxH] [--view VIEW] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "How it goes together, step by step; needs a display"),
          runSteps},
 #endif

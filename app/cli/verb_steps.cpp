@@ -27,7 +27,8 @@ QString tr(const char *text)
     return QCoreApplication::translate("CommandLine", text);
 }
 
-const QString kPaper = QStringLiteral("pdf"), kPictures = QStringLiteral("png");
+const QString kPaper = QStringLiteral("pdf"), kPage = QStringLiteral("html"),
+              kPictures = QStringLiteral("png");
 
 struct Wish
 {
@@ -45,11 +46,16 @@ QString read(const QCommandLineParser &parser, Wish &wish)
         return tr("-o: a file needs a name.");
     const QString suffix =
         output == QStringLiteral("-") ? kPaper : QFileInfo(output).suffix().toLower();
-    if (suffix != kPaper && suffix != kPictures)
-        return tr("%1: this kind of file cannot be written; expected .pdf or .png.").arg(output);
-    wish.files.kind = suffix == kPaper ? StepsFiles::Kind::Paper : StepsFiles::Kind::Pictures;
+    if (suffix != kPaper && suffix != kPage && suffix != kPictures)
+        return tr("%1: this kind of file cannot be written; expected .pdf, .html or .png.")
+            .arg(output);
+    wish.files.kind = suffix == kPaper  ? StepsFiles::Kind::Paper
+                      : suffix == kPage ? StepsFiles::Kind::Page
+                                        : StepsFiles::Kind::Pictures;
     if (suffix == kPaper && parser.isSet(QStringLiteral("size")))
         return tr("--size is for .png; a PDF has the size of its paper.");
+    if (suffix == kPage && parser.isSet(QStringLiteral("size")))
+        return tr("--size is for .png; a web page fits its screen.");
     const QString paper = parser.value(QStringLiteral("paper")).toLower();
     if (suffix != kPaper && !paper.isEmpty())
         return tr("--paper is for .pdf.");
@@ -78,7 +84,7 @@ void showProgress(int done, int count)
 #endif
 }
 
-int write(const QString &output, StepsFiles &files)
+int write(const QString &output, StepsFiles::Kind kind, StepsFiles &files)
 {
     if (!files.isUsable()) {
         printError(tr("A picture needs a display with OpenGL 3.3; there is none."));
@@ -87,18 +93,19 @@ int write(const QString &output, StepsFiles &files)
     const int count = files.pieceCount();
     for (int i = 0; i < count; ++i) {
         if (!files.makePiece(i)) {
-            printError(tr("The picture could not be written as a PNG file."));
+            printError(kind == StepsFiles::Kind::Page
+                           ? tr("A picture of the steps could not be made.")
+                           : tr("The picture could not be written as a PNG file."));
             return CannotWrite;
         }
         showProgress(i + 1, count);
     }
     const std::vector<std::string> contents = files.take();
-    const bool isOne =
-        output == QStringLiteral("-") || QFileInfo(output).suffix().toLower() == kPaper;
     const Result<void> written =
-        isOne ? io::writeFile(output, contents.front())
-              : io::writeFiles(
-                    io::numberedFiles(output, contents, kPictures, io::digitsFor(contents.size())));
+        kind != StepsFiles::Kind::Pictures
+            ? io::writeFile(output, contents.front())
+            : io::writeFiles(
+                  io::numberedFiles(output, contents, kPictures, io::digitsFor(contents.size())));
     return written ? Done : report(written.error());
 }
 
@@ -107,10 +114,12 @@ int write(const QString &output, StepsFiles &files)
 int runSteps(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.addOption({{QStringLiteral("o"), QStringLiteral("output")},
-                      tr("A PDF file with all steps (- is standard output), or OUT.png for "
-                         "OUT-01.png, OUT-02.png and so on."),
-                      QStringLiteral("OUT")});
+    parser.addOption(
+        {{QStringLiteral("o"), QStringLiteral("output")},
+         tr("A PDF file with all steps (- is standard output), OUT.html for a web page "
+            "where the model can be turned, also on a phone, or OUT.png for "
+            "OUT-01.png, OUT-02.png and so on."),
+         QStringLiteral("OUT")});
     parser.addOption({QStringLiteral("paper"),
                       tr("a4 or letter (by default as is usual in your country)."),
                       QStringLiteral("SIZE")});
@@ -144,7 +153,7 @@ int runSteps(const QStringList &arguments)
     }
     wish.files.paper.title = QFileInfo(input).completeBaseName();
     StepsFiles files(steps, wish.files);
-    return write(parser.value(QStringLiteral("output")), files);
+    return write(parser.value(QStringLiteral("output")), wish.files.kind, files);
 }
 
 } // namespace fff::cli

@@ -45,6 +45,8 @@ target_sources(fff_view PRIVATE
     view/step_marks.cpp
     view/step_pictures.cpp
     view/steps_files.cpp
+    view/steps_page.cpp
+    view/steps_page_data.cpp
     view/steps_paper.cpp
     view/steps_scene.cpp
     view/stock_look.cpp
@@ -60,3 +62,4 @@ target_sources(fff_view PRIVATE
 )
 include(${CMAKE_SOURCE_DIR}/resources/loads/loads.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/shaders/shaders.cmake)
+include(${CMAKE_SOURCE_DIR}/resources/steps_page/steps_page.cmake)

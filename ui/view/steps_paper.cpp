@@ -3,7 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
-#include "core/io/full_stop.h"
+#include "ui/view/steps_page_data.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -34,13 +34,6 @@ constexpr int kMostOutlines = 4;
 constexpr double kLargestOutline = 0.5; // of its true size
 const QColor kText(0x1b, 0x21, 0x27), kMuted(0x54, 0x5f, 0x6b), kRule(0xc6, 0xcc, 0xd4);
 const QColor kAccent(0x1b, 0x62, 0xc9), kTone(0xf0, 0xf3, 0xf7);
-
-QString sentence(QString text)
-{
-    if (!text.isEmpty())
-        text[0] = text[0].toUpper();
-    return withFullStop(text);
-}
 
 // The command line has no plurals of its own.
 QString partsText(int count)
@@ -102,6 +95,18 @@ QString StepsPaper::sizeText(const Vec2 &millimetres, LengthUnit unit)
 {
     return QStringLiteral("%1 × %2").arg(lengthNumber(millimetres.x(), unit, 0, 0, QLocale()),
                                          lengthText(millimetres.y(), unit, 0, 0, QLocale()));
+}
+
+QString StepsPaper::factsText(const AssemblySteps &steps)
+{
+    const Analysis &analysis = *steps.analysis;
+    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
+    const Layout layout = layOut(parts, analysis.model, LayoutOptions());
+    //: %1 is "38 parts", %2 "2 sheets", %3 "38 steps"
+    return StepsPaperTexts::tr("%1, from %2, in %3.")
+        .arg(partsText(static_cast<int>(parts.size())),
+             sheetsText(static_cast<int>(layout.sheets.size())),
+             stepsText(steps.playback.stepCount()));
 }
 
 StepsPaper::StepsPaper(StepPictures &pictures, const Options &options)
@@ -190,13 +195,8 @@ bool StepsPaper::titlePage()
     y += height + 6.0;
 
     const Model &model = m_steps.analysis->model;
-    const Layout layout = layOut(m_parts, model, LayoutOptions());
-    const int sheets = static_cast<int>(layout.sheets.size());
-    //: %1 is "38 parts", %2 "2 sheets", %3 "38 steps"
-    const QString facts = StepsPaperTexts::tr("%1, from %2, in %3.")
-                              .arg(partsText(static_cast<int>(m_parts.size())), sheetsText(sheets),
-                                   stepsText(m_steps.playback.stepCount()));
-    y += text(QRectF(0.0, y, width, 20.0), facts, font(12.0, QFont::DemiBold), kText) + 2.0;
+    y += text(QRectF(0.0, y, width, 20.0), factsText(m_steps), font(12.0, QFont::DemiBold), kText) +
+         2.0;
     std::set<StockId> stocks;
     for (const Part &part : m_parts) {
         if (!stocks.insert(part.stock).second)
@@ -238,8 +238,7 @@ bool StepsPaper::step(int index)
     words.setTop(words.top() +
                  text(words, QLocale().toString(index + 1), font(22.0, QFont::DemiBold), kAccent) +
                  1.0);
-    words.setTop(words.top() + text(words, sentence(stepText(m_steps, index)), font(10.5), kText) +
-                 3.0);
+    words.setTop(words.top() + text(words, stepSentence(m_steps, index), font(10.5), kText) + 3.0);
     outlines(words, m_steps.playback.plan().steps[static_cast<std::size_t>(index)].parts);
     return true;
 }

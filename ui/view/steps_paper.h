@@ -34,6 +34,8 @@ public:
     static QString stockText(const Stock &stock, const Options &options);
     /// Of a part, width and height: "84 × 120 mm".
     static QString sizeText(const Vec2 &millimetres, LengthUnit unit);
+    /// "38 parts, from 2 sheets, in 38 steps."
+    static QString factsText(const AssemblySteps &steps);
 
     /// The pictures outlive it. To be used on their thread.
     StepsPaper(StepPictures &pictures, const Options &options);
