@@ -8394,10 +8394,6 @@
         <translation>Schritt %1 von %2</translation>
     </message>
     <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Eine PDF-Datei mit allen Schritten (- ist die Standardausgabe), oder OUT.png für OUT-01.png, OUT-02.png und so weiter.</translation>
-    </message>
-    <message>
         <source>Step %1: part %2</source>
         <translation>Schritt %1: Teil %2</translation>
     </message>
@@ -8719,10 +8715,6 @@
     <message>
         <source>The picture could not be written as a PNG file.</source>
         <translation>Aus dem Bild ließ sich keine PNG-Datei machen.</translation>
-    </message>
-    <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: .pdf oder .png.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9164,6 +9156,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: zwei Spalten heißen &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: Diese Art Datei lässt sich nicht schreiben; erwartet: .pdf, .html oder .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size gilt für .png; eine Webseite passt sich dem Bildschirm an.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>Ein Bild der Schritte ließ sich nicht machen.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Eine PDF-Datei mit allen Schritten (- ist die Standardausgabe), OUT.html für eine Webseite, auf der sich das Modell drehen lässt, auch am Telefon, oder OUT.png für OUT-01.png, OUT-02.png und so weiter.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9254,6 +9262,10 @@
     <message>
         <source>Models with pictures and meshes</source>
         <translation>Modelle mit Bildern und Netzen</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>Das Modell in Webseiten der Schritte</translation>
     </message>
 </context>
 <context>
@@ -14853,10 +14865,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Anhalten (Leertaste)</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Alle Schritte als PDF zum Drucken schreiben, oder ein Bild für jeden</translation>
-    </message>
-    <message>
         <source>Previous step (Left)</source>
         <translation>Voriger Schritt (Links)</translation>
     </message>
@@ -14867,6 +14875,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Exploded</source>
         <translation>Auseinander</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Alle Schritte als PDF zum Drucken schreiben, als Webseite fürs Telefon, oder ein Bild für jeden</translation>
     </message>
 </context>
 <context>
@@ -14913,6 +14925,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Nothing was written: the export was cancelled.</source>
         <translation>Nichts geschrieben: die Ausgabe wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Dieser Browser zeigt das Modell nicht in 3D. Hier steht Schritt für Schritt, was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>Bilder fehlen: auf der Anzeige des Computers, der diese Seite geschrieben hat, entstand keines.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Ziehen dreht das Modell, zwei Finger oder das Rad vergrößern es, zweimal tippen zeigt es ganz.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Voriger Schritt</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>

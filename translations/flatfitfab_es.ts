@@ -9043,10 +9043,6 @@
         <translation>%1: ningún plano corta de ella una sección bastante grande.</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: este tipo de archivo no se puede escribir; se esperaba .pdf o .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size es para .png; un PDF tiene el tamaño de su papel.</translation>
     </message>
@@ -9061,10 +9057,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Paso %1 de %2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Un archivo PDF con todos los pasos (- es la salida estándar), o bien OUT.png para OUT-01.png, OUT-02.png, etc.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9164,6 +9156,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: dos columnas se llaman &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: este tipo de archivo no se puede escribir; se esperaba .pdf, .html o .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size es para .png; una página web se adapta a su pantalla.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>No se pudo hacer una imagen de los pasos.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Un archivo PDF con todos los pasos (- es la salida estándar), OUT.html para una página web en la que se puede girar el modelo, también en un teléfono, o bien OUT.png para OUT-01.png, OUT-02.png, etc.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9254,6 +9262,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Resultados que pueden ser errores</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>El modelo en páginas web de los pasos</translation>
     </message>
 </context>
 <context>
@@ -14833,10 +14845,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Exportar pasos…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Escribir todos los pasos en un PDF para imprimir, o una imagen de cada uno</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Cerrar los pasos (Esc)</translation>
     </message>
@@ -14867,6 +14875,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>Pausa (Espacio)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Escribir todos los pasos en un PDF para imprimir, en una página web para teléfonos, o una imagen de cada uno</translation>
     </message>
 </context>
 <context>
@@ -14913,6 +14925,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>Exportar a otro sitio…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Página web (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Este navegador no muestra el modelo en 3D. Aquí está lo que hay que hacer, paso a paso.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>No hay imágenes: no se pudo hacer ninguna en la pantalla del ordenador que escribió esta página.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Arrastra para girar el modelo, pellizca o usa la rueda para acercarlo, toca dos veces para verlo entero.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Terminado</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Paso anterior</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Paso siguiente</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Piezas</translation>
     </message>
 </context>
 <context>

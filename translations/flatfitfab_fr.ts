@@ -9043,10 +9043,6 @@
         <translation>%1&#xa0;: aucun plan n’en coupe une section assez grande.</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1&#xa0;: ce type de fichier ne peut pas être écrit&#x202f;; attendu&#xa0;: .pdf ou .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size sert pour .png&#x202f;; un PDF a la taille de son papier.</translation>
     </message>
@@ -9061,10 +9057,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Étape %1 sur %2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Un fichier PDF avec toutes les étapes (- est la sortie standard), ou OUT.png pour OUT-01.png, OUT-02.png, etc.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9164,6 +9156,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1 : deux colonnes s’appellent &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1 : ce type de fichier ne peut pas être écrit ; attendu : .pdf, .html ou .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size sert pour .png ; une page web s’adapte à son écran.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>Une image des étapes n’a pas pu être faite.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Un fichier PDF avec toutes les étapes (- est la sortie standard), OUT.html pour une page web où l’on peut tourner le modèle, aussi sur un téléphone, ou OUT.png pour OUT-01.png, OUT-02.png, etc.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9254,6 +9262,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Résultats qui peuvent être des erreurs</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>Le modèle dans les pages web des étapes</translation>
     </message>
 </context>
 <context>
@@ -14833,10 +14845,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Exporter les étapes…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Écrire toutes les étapes dans un PDF à imprimer, ou une image de chacune</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Fermer les étapes (Échap)</translation>
     </message>
@@ -14867,6 +14875,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>Pause (Espace)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Écrire toutes les étapes dans un PDF à imprimer, une page web pour téléphones, ou une image de chacune</translation>
     </message>
 </context>
 <context>
@@ -14913,6 +14925,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>Exporter ailleurs…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Page web (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Ce navigateur n’affiche pas le modèle en 3D. Voici ce qu’il faut faire, étape par étape.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>Il n’y a pas d’images : aucune n’a pu être faite sur l’affichage de l’ordinateur qui a écrit cette page.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Glissez pour tourner le modèle, pincez ou utilisez la molette pour zoomer, touchez deux fois pour le voir en entier.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Étape précédente</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
     </message>
 </context>
 <context>

@@ -9043,10 +9043,6 @@
         <translation>%1: nessun piano ne taglia una sezione abbastanza grande.</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: questo tipo di file non si può scrivere; atteso: .pdf o .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size vale per .png; un PDF ha il formato della sua carta.</translation>
     </message>
@@ -9061,10 +9057,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Passo %1 di %2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Un file PDF con tutti i passi (- è lo standard output), o OUT.png per OUT-01.png, OUT-02.png e così via.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9164,6 +9156,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: due colonne si chiamano &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: questo tipo di file non si può scrivere; atteso: .pdf, .html o .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size vale per .png; una pagina web si adatta al suo schermo.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>Impossibile creare un’immagine dei passi.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Un file PDF con tutti i passi (- è lo standard output), OUT.html per una pagina web in cui si può girare il modello, anche su un telefono, o OUT.png per OUT-01.png, OUT-02.png e così via.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9254,6 +9262,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Risultati che possono essere errori</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>Il modello nelle pagine web dei passi</translation>
     </message>
 </context>
 <context>
@@ -14833,10 +14845,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Esporta passi…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Scrivi tutti i passi in un PDF da stampare, o un’immagine di ognuno</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Chiudi i passi (Esc)</translation>
     </message>
@@ -14867,6 +14875,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>Pausa (Spazio)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Scrivi tutti i passi in un PDF da stampare, in una pagina web per telefoni, o un’immagine di ognuno</translation>
     </message>
 </context>
 <context>
@@ -14913,6 +14925,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>Esporta altrove…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Pagina web (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Questo browser non mostra il modello in 3D. Ecco che cosa fare, passo dopo passo.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>Mancano le immagini: sullo schermo del computer che ha scritto questa pagina non se ne è potuta creare nessuna.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numero</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Misura</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Materiale</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Trascina per girare il modello, usa due dita o la rotella per ingrandirlo, tocca due volte per vederlo tutto.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Riproduci</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Finito</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Passo precedente</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Passo successivo</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pezzi</translation>
     </message>
 </context>
 <context>

@@ -8947,10 +8947,6 @@
         <translation>%1: 板にできる大きさの形を切り取る平面がありません。</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: この種類のファイルは書き出せません（必要: .pdf または .png）。</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size は .png 用です。PDF の大きさは用紙で決まります。</translation>
     </message>
@@ -8965,10 +8961,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>手順 %1/%2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>全手順の PDF ファイル（- は標準出力）、または OUT.png で OUT-01.png、OUT-02.png など。</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9068,6 +9060,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: &quot;%2&quot; という名前の列が 2 つあります。</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: この種類のファイルは書き出せません（必要: .pdf、.html または .png）。</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size は .png 用です。ウェブページは画面に合わせて表示されます。</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>手順の画像を作れませんでした。</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>全手順の PDF ファイル（- は標準出力）、OUT.html でモデルを回して見られるウェブページ（スマートフォンでも可）、または OUT.png で OUT-01.png、OUT-02.png など。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9158,6 +9166,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>エラーになりうる結果</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>手順のウェブページのモデル表示</translation>
     </message>
 </context>
 <context>
@@ -14712,10 +14724,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>手順の書き出し…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>全手順を印刷用の PDF に、または手順ごとの画像に書き出します</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>手順を閉じる（Esc）</translation>
     </message>
@@ -14746,6 +14754,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>一時停止（Space）</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>全手順を印刷用の PDF、スマートフォン用のウェブページ、または手順ごとの画像に書き出します</translation>
     </message>
 </context>
 <context>
@@ -14791,6 +14803,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>別の場所に書き出す…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>ウェブページ (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>このブラウザではモデルを 3D で表示できません。ここに手順を順番に示します。</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>画像はありません: このページを書き出したコンピューターのディスプレイでは画像を作れませんでした。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>ドラッグで回転、2 本指またはホイールで拡大、2 回タップで全体を表示します。</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>手順</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>前の手順</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>次の手順</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部品</translation>
     </message>
 </context>
 <context>

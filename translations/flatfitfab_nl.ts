@@ -9043,10 +9043,6 @@
         <translation>%1: geen vlak snijdt er een sectie uit die groot genoeg is.</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: dit soort bestand kan niet worden geschreven; verwacht: .pdf of .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size is voor .png; een PDF is zo groot als zijn papier.</translation>
     </message>
@@ -9061,10 +9057,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Stap %1 van %2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Een PDF-bestand met alle stappen (- is de standaarduitvoer), of OUT.png voor OUT-01.png, OUT-02.png enzovoort.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9164,6 +9156,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: twee kolommen heten &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: dit soort bestand kan niet worden geschreven; verwacht: .pdf, .html of .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size is voor .png; een webpagina past zich aan het scherm aan.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>Een afbeelding van de stappen kon niet worden gemaakt.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Een PDF-bestand met alle stappen (- is de standaarduitvoer), OUT.html voor een webpagina waarop het model gedraaid kan worden, ook op een telefoon, of OUT.png voor OUT-01.png, OUT-02.png enzovoort.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9254,6 +9262,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Resultaten die fouten kunnen zijn</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>Het model in webpagina’s van de stappen</translation>
     </message>
 </context>
 <context>
@@ -14833,10 +14845,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Stappen exporteren…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Alle stappen naar een PDF schrijven om te printen, of een afbeelding van elke stap</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Stappen sluiten (Esc)</translation>
     </message>
@@ -14867,6 +14875,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>Pauze (spatie)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Alle stappen naar een PDF schrijven om te printen, naar een webpagina voor telefoons, of een afbeelding van elke stap</translation>
     </message>
 </context>
 <context>
@@ -14913,6 +14925,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>Ergens anders exporteren…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webpagina (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Deze browser toont het model niet in 3D. Hier staat stap voor stap wat er te doen is.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>Er zijn geen afbeeldingen: op het scherm van de computer die deze pagina schreef, kon er geen worden gemaakt.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Materiaal</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Sleep om het model te draaien, gebruik twee vingers of het wiel om te zoomen, tik twee keer om het helemaal te zien.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Afspelen</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pauze</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Stap</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Vorige stap</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Volgende stap</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Onderdelen</translation>
     </message>
 </context>
 <context>

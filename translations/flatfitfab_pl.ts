@@ -9139,10 +9139,6 @@
         <translation>%1: żadna płaszczyzna nie wycina dość dużej płytki.</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: tego rodzaju pliku nie da się zapisać; oczekiwano: .pdf lub .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size jest do .png; PDF ma rozmiar swojego papieru.</translation>
     </message>
@@ -9157,10 +9153,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Krok %1 z %2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Plik PDF ze wszystkimi krokami (- to standardowe wyjście) albo OUT.png dla OUT-01.png, OUT-02.png i tak dalej.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9260,6 +9252,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: dwie kolumny nazywają się &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: tego rodzaju pliku nie da się zapisać; oczekiwano: .pdf, .html lub .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size jest do .png; strona internetowa dopasowuje się do ekranu.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>Nie udało się utworzyć obrazu kroków.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Plik PDF ze wszystkimi krokami (- to standardowe wyjście), OUT.html dla strony internetowej, na której można obracać model, także na telefonie, albo OUT.png dla OUT-01.png, OUT-02.png i tak dalej.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9350,6 +9358,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Wyniki, które mogą być błędami</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>Model na stronach internetowych z krokami</translation>
     </message>
 </context>
 <context>
@@ -14954,10 +14966,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Eksportuj kroki…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Zapisuje wszystkie kroki w PDF do druku albo obraz każdego z nich</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Zamknij kroki (Esc)</translation>
     </message>
@@ -14988,6 +14996,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>Wstrzymaj (Spacja)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Zapisuje wszystkie kroki w PDF do druku, na stronie internetowej na telefony albo obraz każdego z nich</translation>
     </message>
 </context>
 <context>
@@ -15035,6 +15047,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>Eksportuj gdzie indziej…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Strona internetowa (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Ta przeglądarka nie pokazuje modelu w 3D. Oto, co trzeba zrobić, krok po kroku.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>Nie ma obrazów: na ekranie komputera, który zapisał tę stronę, nie dało się utworzyć żadnego.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numer</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Rozmiar</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Materiał</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Przeciągnij, aby obrócić model, użyj dwóch palców lub kółka, aby go powiększyć, stuknij dwa razy, aby zobaczyć całość.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Odtwórz</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Gotowe</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Wstrzymaj</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Poprzedni krok</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Następny krok</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Części</translation>
     </message>
 </context>
 <context>

@@ -9043,10 +9043,6 @@
         <translation>%1: nenhum plano corta dela uma seção grande o bastante.</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1: este tipo de arquivo não pode ser escrito; esperado: .pdf ou .png.</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size vale para .png; um PDF tem o tamanho do papel.</translation>
     </message>
@@ -9061,10 +9057,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Passo %1 de %2</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>Um arquivo PDF com todos os passos (- é a saída padrão), ou OUT.png para OUT-01.png, OUT-02.png e assim por diante.</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9164,6 +9156,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1: duas colunas se chamam &quot;%2&quot;.</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1: este tipo de arquivo não pode ser escrito; esperado: .pdf, .html ou .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size vale para .png; uma página web se ajusta à tela.</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>Não foi possível fazer uma imagem dos passos.</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Um arquivo PDF com todos os passos (- é a saída padrão), OUT.html para uma página web em que se pode girar o modelo, também no celular, ou OUT.png para OUT-01.png, OUT-02.png e assim por diante.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9254,6 +9262,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Resultados que podem ser erros</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>O modelo em páginas web dos passos</translation>
     </message>
 </context>
 <context>
@@ -14833,10 +14845,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Exportar passos…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>Salvar todos os passos em um PDF para imprimir, ou uma imagem de cada um</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>Fechar os passos (Esc)</translation>
     </message>
@@ -14867,6 +14875,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>Pausar (Espaço)</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>Salvar todos os passos em um PDF para imprimir, em uma página web para celulares, ou uma imagem de cada um</translation>
     </message>
 </context>
 <context>
@@ -14913,6 +14925,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>Exportar para outro lugar…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Página web (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>Este navegador não mostra o modelo em 3D. Aqui está o que fazer, passo a passo.</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>Não há imagens: na tela do computador que salvou esta página não deu para fazer nenhuma.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>Arraste para girar o modelo, use dois dedos ou a roda para ampliar, toque duas vezes para ver tudo.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproduzir</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>Passo anterior</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Próximo passo</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Peças</translation>
     </message>
 </context>
 <context>

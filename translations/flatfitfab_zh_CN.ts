@@ -8947,10 +8947,6 @@
         <translation>%1：没有平面能从中切出足够大的插片。</translation>
     </message>
     <message>
-        <source>%1: this kind of file cannot be written; expected .pdf or .png.</source>
-        <translation>%1：不能写这种文件；应为 .pdf 或 .png。</translation>
-    </message>
-    <message>
         <source>--size is for .png; a PDF has the size of its paper.</source>
         <translation>--size 用于 .png；PDF 的尺寸就是纸张尺寸。</translation>
     </message>
@@ -8965,10 +8961,6 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>第 %1 步，共 %2 步</translation>
-    </message>
-    <message>
-        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
-        <translation>含全部步骤的 PDF 文件（- 表示标准输出），或用 OUT.png 写出 OUT-01.png、OUT-02.png 等。</translation>
     </message>
     <message>
         <source>a4 or letter (by default as is usual in your country).</source>
@@ -9068,6 +9060,22 @@
         <source>%1: two columns are named &quot;%2&quot;.</source>
         <translation>%1：有两列都叫 &quot;%2&quot;。</translation>
     </message>
+    <message>
+        <source>%1: this kind of file cannot be written; expected .pdf, .html or .png.</source>
+        <translation>%1：不能写这种文件；应为 .pdf、.html 或 .png。</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a web page fits its screen.</source>
+        <translation>--size 用于 .png；网页会适应屏幕。</translation>
+    </message>
+    <message>
+        <source>A picture of the steps could not be made.</source>
+        <translation>无法生成步骤的图片。</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>含全部步骤的 PDF 文件（- 表示标准输出），用 OUT.html 写出可转动模型的网页（手机上也能看），或用 OUT.png 写出 OUT-01.png、OUT-02.png 等。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -9158,6 +9166,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>可能是错误的结果</translation>
+    </message>
+    <message>
+        <source>The model in web pages of the steps</source>
+        <translation>步骤网页中的模型</translation>
     </message>
 </context>
 <context>
@@ -14712,10 +14724,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>导出步骤…</translation>
     </message>
     <message>
-        <source>Write all steps to a PDF to print, or a picture of each</source>
-        <translation>把全部步骤写成可打印的 PDF，或每步一张图片</translation>
-    </message>
-    <message>
         <source>Close the steps (Esc)</source>
         <translation>关闭步骤（Esc）</translation>
     </message>
@@ -14746,6 +14754,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pause (Space)</source>
         <translation>暂停（空格）</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, a web page for phones, or a picture of each</source>
+        <translation>把全部步骤写成可打印的 PDF、适合手机的网页，或每步一张图片</translation>
     </message>
 </context>
 <context>
@@ -14791,6 +14803,69 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Export somewhere else…</source>
         <translation>导出到别处…</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPage</name>
+    <message>
+        <source>This browser does not show the model in 3D. Here is what to do, step by step.</source>
+        <translation>此浏览器无法以 3D 显示模型。下面逐步说明怎样做。</translation>
+    </message>
+    <message>
+        <source>There are no pictures: none could be made on the display of the computer that wrote this page.</source>
+        <translation>没有图片：写出此网页的计算机的显示设备无法生成图片。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Drag to turn the model, pinch or scroll to zoom, tap twice to see all of it.</source>
+        <translation>拖动可转动模型，双指或滚轮可缩放，点两下可看全貌。</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Previous step</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>零件</translation>
     </message>
 </context>
 <context>

@@ -40,7 +40,7 @@ class Model {
         this.looks = this.data.looks.map(look => {
             const face = new THREE.Color(look.face), side = new THREE.Color(look.side);
             return {still: [material(face, look.alpha), material(side, look.alpha)],
-                    moving: [material(face.clone().lerp(accent, 0.45), 1),
+                    moving: [material(face.clone().lerp(accent, 0.62), 1),
                              material(side.clone().lerp(accent, 0.75), 1)]};
         });
         this.edge = {still: new THREE.LineBasicMaterial({color: 0x2b2118, transparent: true, opacity: 0.75}),

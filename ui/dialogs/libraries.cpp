@@ -1,6 +1,7 @@
 #include "ui/dialogs/libraries.h"
 
 #include "ui/settings/log.h"
+#include "ui/view/steps_page.h"
 
 #include <QFile>
 #include <QGuiApplication>
@@ -52,6 +53,8 @@ const Library kLibraries[] = {
     {"expected", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Results that may be errors"),
      "Sy Brand", "CC0: given to the public domain", "cc0-1.0",
      "https://github.com/TartanLlama/expected"},
+    {"three.js", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "The model in web pages of the steps"),
+     "© The authors of three.js", "MIT licence", "mit", "https://threejs.org"},
 };
 
 QString openGlReport()
@@ -80,7 +83,8 @@ QString openGlReport()
 
 std::span<const Library> libraries()
 {
-    return kLibraries;
+    const std::span<const Library> all = kLibraries;
+    return StepsPage::hasModel() ? all : all.first(all.size() - 1);
 }
 
 QString licenceText(const Library &library)

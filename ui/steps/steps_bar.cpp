@@ -45,7 +45,8 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     m_export->setIconSize({16, 16});
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_export->setAccessibleName(tr("Export steps…"));
-    m_export->setToolTip(tr("Write all steps to a PDF to print, or a picture of each"));
+    m_export->setToolTip(
+        tr("Write all steps to a PDF to print, a web page for phones, or a picture of each"));
     m_export->setFocusPolicy(Qt::TabFocus);
     m_close = addButton("stepsClose", "close", tr("Close the steps (Esc)"));
     m_previous = addButton("stepsPrevious", "step_previous", tr("Previous step (Left)"));

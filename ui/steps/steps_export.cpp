@@ -17,11 +17,17 @@ namespace fff::ui {
 
 namespace {
 
-const QString kPaper = QStringLiteral("pdf"), kPictures = QStringLiteral("png");
+const QString kPaper = QStringLiteral("pdf"), kPage = QStringLiteral("html"),
+              kPictures = QStringLiteral("png");
 
 bool hasSuffix(const QString &path, const QString &suffix)
 {
     return QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) == 0;
+}
+
+bool isPage(const QString &path)
+{
+    return hasSuffix(path, kPage);
 }
 
 bool isPictures(const QString &path)
@@ -32,7 +38,9 @@ bool isPictures(const QString &path)
 /// What follows a dot in a model's name ("chair.v2") is no suffix.
 QString withoutSuffix(const QString &path)
 {
-    return hasSuffix(path, kPaper) || isPictures(path) ? path.chopped(kPaper.size() + 1) : path;
+    return hasSuffix(path, kPaper) || isPage(path) || isPictures(path)
+               ? path.chopped(QFileInfo(path).suffix().size() + 1)
+               : path;
 }
 
 } // namespace
@@ -44,16 +52,16 @@ StepsExport::StepsExport(MessageBar &messages, StatusLine &status, QWidget &wind
 
 bool StepsExport::ask(const Subject &subject, const QString &suggestion)
 {
-    const QString paper = tr("All steps, to print (*.pdf)"),
+    const QString paper = tr("All steps, to print (*.pdf)"), page = tr("Web page (*.html)"),
                   pictures = tr("Pictures, one for each step (*.png)");
     FileDialog dialog(&m_window, tr("Export steps"), QFileInfo(suggestion).absolutePath(),
-                      QStringList{paper, pictures}.join(QStringLiteral(";;")));
+                      QStringList{paper, page, pictures}.join(QStringLiteral(";;")));
     dialog.setObjectName(QStringLiteral("stepsExportDialog"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kPaper);
     dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kPaper);
     connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString &filter) {
-        const QString suffix = filter == pictures ? kPictures : kPaper;
+        const QString suffix = filter == pictures ? kPictures : filter == page ? kPage : kPaper;
         dialog.setDefaultSuffix(suffix);
         // The name is then none of a file.
         dialog.setOption(QFileDialog::DontConfirmOverwrite, filter == pictures);
@@ -75,7 +83,9 @@ bool StepsExport::ask(const Subject &subject, const QString &suggestion)
 StepsFiles::Options StepsExport::optionsFor(const Subject &subject, const QString &path) const
 {
     StepsFiles::Options options;
-    options.kind = isPictures(path) ? StepsFiles::Kind::Pictures : StepsFiles::Kind::Paper;
+    options.kind = isPictures(path) ? StepsFiles::Kind::Pictures
+                   : isPage(path)   ? StepsFiles::Kind::Page
+                                    : StepsFiles::Kind::Paper;
     options.paper = {subject.title, StepsPaper::usualSize(m_window.locale()), settings().unit(),
                      stockName};
     options.looking = subject.looking;

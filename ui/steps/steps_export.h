@@ -34,8 +34,9 @@ public:
     };
     /// suggestion  path without a suffix
     bool ask(const Subject &subject, const QString &suggestion);
-    /// A PDF, which replaces another one, or for .png a picture of each step, OUT-01.png,
-    /// OUT-02.png, …, where it asks before it replaces some. False when nothing was written.
+    /// A PDF, or for .html a web page, which replaces another one, or for .png a picture of each
+    /// step, OUT-01.png, OUT-02.png, …, where it asks before it replaces some. False when nothing
+    /// was written.
     bool write(const Subject &subject, const QString &path);
     /// How it writes: lengths and names as they are in the window.
     StepsFiles::Options optionsFor(const Subject &subject, const QString &path) const;
