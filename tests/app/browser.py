@@ -131,10 +131,13 @@ class Browser:
         self.ask("Emulation.setEmulatedMedia",
                  features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
-    def open(self, path):
+    def show(self, path):
         self.events.clear()
         self.ask("Page.navigate", url="file://" + os.path.abspath(path))
         self.until("document.readyState === 'complete'")
+
+    def open(self, path):
+        self.show(path)
         self.rest_a_while()
 
     def run(self, code):
@@ -166,14 +169,31 @@ class Browser:
         for kind in ("keyDown", "keyUp"):
             self.ask("Input.dispatchKeyEvent", type=kind, key=name, code=name)
 
-    def picture(self):
-        return Picture(base64.b64decode(self.ask("Page.captureScreenshot", format="png")["data"]))
+    def box(self, selector):
+        """Of an element on the screen: x, y, width, height."""
+        return self.run(f"(b => [b.x, b.y, b.width, b.height])(document.querySelector('{selector}').getBoundingClientRect())")
+
+    def middle(self, selector):
+        x, y, width, height = self.box(selector)
+        return x + width / 2, y + height / 2
+
+    def click(self, selector):
+        x, y = self.middle(selector)
+        self.mouse("mousePressed", x, y)
+        self.mouse("mouseReleased", x, y)
+
+    def picture(self, box=None, scale=0.5):
+        """Of all that is seen, or of a part of it, made smaller."""
+        clip = {} if box is None else {"clip": dict(zip(("x", "y", "width", "height"), box), scale=scale)}
+        return Picture(base64.b64decode(self.ask("Page.captureScreenshot", format="png", **clip)["data"]))
 
     def complaints(self):
         """What the page printed, what was wrong, and what it asked the network for."""
         found = []
         for event in self.events:
             method, parameters = event.get("method"), event.get("params", {})
+            if parameters.get("entry", {}).get("source") == "rendering":
+                continue  # drivers in software remark on screenshots
             if method in ("Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"):
                 found.append(json.dumps(parameters)[:600])
             elif method == "Network.requestWillBeSent" and not parameters["request"]["url"].startswith(("file:", "data:")):

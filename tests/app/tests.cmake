@@ -41,3 +41,11 @@ if(FFF_BUILD_WINDOW)
         fff_add_tests(tests_faults ON_A_DISPLAY app/tst_faults_in_pictures)
     endif()
 endif()
+
+# The page of steps, in a real browser where there is one.
+find_program(FFF_CHROMIUM NAMES chromium chromium-browser)
+if(FFF_BUILD_WINDOW AND UNIX AND FFF_CHROMIUM AND FFF_THREE_JS)
+    add_test(NAME app/steps_page COMMAND ${FFF_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/app/check_steps_page.py
+        $<TARGET_FILE:flatfitfab-cli> ${CMAKE_SOURCE_DIR}/resources/samples/bridge.fff ${FFF_CHROMIUM})
+    set_tests_properties(app/steps_page PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+endif()

@@ -7,6 +7,7 @@ fff_tests(tests_view LIBRARIES fff::view fff::session
         ui/view/tst_scale_bar
         ui/view/tst_signs
         ui/view/tst_slit_covers
+        ui/view/tst_steps_page
         ui/view/tst_steps_paper
         ui/view/tst_stress_marks
     ON_A_DISPLAY # pictures need its OpenGL
