@@ -19,10 +19,13 @@ class Page {
         this.buttons.next.addEventListener('click', () => this.jump(1));
         this.buttons.play.addEventListener('click', () => this.isPlaying ? this.stop() : this.playOn());
         document.addEventListener('keydown', event => this.onKey(event));
-        matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+        this.scheme = matchMedia('(prefers-color-scheme: dark)');
+        this.scheme.onchange = () => {
             model.makeLooks();
             this.show(this.time);
-        });
+        };
+        // Phones take the graphics away from pages that are not looked at, and give them back.
+        model.renderer.domElement.addEventListener('webglcontextrestored', () => this.redraw());
         new Fingers(this.stage, model, () => this.redraw());
         new ResizeObserver(() => this.resize()).observe(this.stage);
         this.resize();
@@ -34,7 +37,11 @@ class Page {
             ArrowLeft: () => this.jump(-1), ArrowDown: () => this.jump(-1),
             ArrowRight: () => this.jump(1), ArrowUp: () => this.jump(1),
             Home: () => this.goTo(0), End: () => this.goTo(this.count),
+            ' ': () => this.isPlaying ? this.stop() : this.playOn(),
         };
+        // A button that has the focus is pressed by the space bar.
+        if (event.key === ' ' && document.activeElement instanceof HTMLButtonElement)
+            return;
         // Up and down scroll the page, unless the slider has the focus.
         const isForPage = event.key === 'ArrowUp' || event.key === 'ArrowDown';
         if (event.altKey || event.ctrlKey || event.metaKey || !acts[event.key] ||
@@ -46,7 +53,7 @@ class Page {
 
     /// To the end of the next step, or back to the beginning of this one.
     jump(by) {
-        const from = this.target === undefined ? this.time : this.target;
+        const from = this.isPlaying || this.target === undefined ? this.time : this.target;
         const to = by > 0 ? Math.floor(from + 1e-6) + 1 : Math.ceil(from - 1e-6) - 1;
         const target = Math.min(Math.max(to, 0), this.count);
         this.stop();
@@ -101,14 +108,20 @@ class Page {
         this.model.show(time);
         const {playback} = this.model, {texts, steps} = this.data;
         const isFinished = playback.isFinished(time), step = steps[playback.stepAt(time)];
-        this.words.title.textContent = isFinished ? texts.finished : step.title;
-        this.words.text.textContent = isFinished ? texts.facts : step.text;
+        this.say(this.words.title, isFinished ? texts.finished : step.title);
+        this.say(this.words.text, isFinished ? texts.facts : step.text);
         this.slider.value = time;
         this.slider.setAttribute('aria-valuetext', isFinished ? texts.finished : `${step.title}: ${step.text}`);
         this.buttons.previous.disabled = time <= 0;
         this.buttons.next.disabled = isFinished;
         this.model.parts.forEach((part, i) => this.rows[i].classList.toggle('is-moving', part.isMoving));
         this.redraw();
+    }
+
+    /// Only what is new, since it is read out.
+    say(element, text) {
+        if (element.textContent !== text)
+            element.textContent = text;
     }
 
     resize() {
@@ -143,11 +156,18 @@ function begin() {
     const context = canvas.getContext('webgl2', options) || canvas.getContext('webgl', options);
     if (!context)
         return;
-    document.getElementById('viewer').hidden = false;
-    document.getElementById('pictures').hidden = true;
-    document.documentElement.classList.add('has-model');
-    const model = new Model(canvas, context, data);
-    new Page(model, new Marks(document.getElementById('marks'), model), data);
+    const show = hasModel => {
+        document.getElementById('viewer').hidden = !hasModel;
+        document.getElementById('pictures').hidden = hasModel;
+        document.documentElement.classList.toggle('has-model', hasModel);
+    };
+    show(true);
+    try {
+        const model = new Model(canvas, context, data);
+        new Page(model, new Marks(document.getElementById('marks'), model), data);
+    } catch (error) {
+        show(false); // an old browser has pictures rather than half a page
+    }
 }
 
 begin();

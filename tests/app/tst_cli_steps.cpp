@@ -1,4 +1,4 @@
-// Runs the real program: the steps of the assembly as a PDF and as pictures.
+// Runs the real program: the steps of the assembly as a PDF, as a web page and as pictures.
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
@@ -120,10 +120,46 @@ private Q_SLOTS:
         }
     }
 
+    /// Wrong: there is no model in the page, or no picture where a browser cannot show that; or it
+    /// is too large to be sent to a phone; or changed although nothing did.
+    void thePageHasModelAndPictures()
+    {
+        const auto page = [this] {
+            const Run made =
+                run({QStringLiteral("steps"), QStringLiteral(FFF_SAMPLES "/bridge.fff"),
+                     QStringLiteral("-o"), path("out.html")});
+            return made.status == 0 && made.err.isEmpty() ? bytesOf(path("out.html"))
+                                                          : QByteArray();
+        };
+        const QByteArray bytes = page();
+        QVERIFY(bytes.startsWith("<!DOCTYPE html>"));
+        QVERIFY(bytes.endsWith("</html>\n"));
+        QVERIFY(bytes.contains("<title>bridge</title>"));
+        QCOMPARE(bytes.count("<img "), 28);
+        QCOMPARE(bytes.count("<tr>"), 29);
+        QVERIFY2(bytes.size() < 2'000'000, QByteArray::number(bytes.size()));
+        QVERIFY(bytes == page());
+    }
+
+    /// Pictures are for browsers without WebGL; the model itself needs no display here.
+    void aPageNeedsNoDisplay()
+    {
+        const Run made =
+            run({QStringLiteral("steps"), path("comb.fff"), QStringLiteral("-o"), path("out.html")},
+                false);
+        const QByteArray bytes = bytesOf(path("out.html"));
+        if (made.status == 4 && outputs().isEmpty())
+            QSKIP("built without three.js: there are only pictures");
+        QVERIFY2(made.status == 0 && made.err.isEmpty(), made.err);
+        QCOMPARE(bytes.count("<img "), 0);
+        QVERIFY(bytes.contains("There are no pictures"));
+    }
+
     void whatCannotBeAssembledHasNoSteps_data()
     {
         QTest::addColumn<QString>("output");
         QTest::newRow("on paper") << QStringLiteral("out.pdf");
+        QTest::newRow("as a page") << QStringLiteral("out.html");
         QTest::newRow("as pictures") << QStringLiteral("out.png");
     }
     /// Steps of a model that cannot be put together would be a lie.
@@ -150,11 +186,14 @@ private Q_SLOTS:
         row("a kind that is none", "comb.fff -o out.svg", 1);
         row("pixels of paper", "comb.fff -o out.pdf --size 100x100", 1);
         row("paper of pixels", "comb.fff -o out.png --paper a4", 1);
+        row("pixels of a page", "comb.fff -o out.html --size 100x100", 1);
+        row("paper of a page", "comb.fff -o out.html --paper a4", 1);
         row("paper that no printer holds", "comb.fff -o out.pdf --paper a11", 1);
         row("a view from nowhere", "comb.fff -o out.pdf --view above", 1);
         row("no section", "empty.fff -o out.pdf", 2);
         row("no model", "none.fff -o out.pdf", 2);
         row("no folder", "comb.fff -o nowhere/out.pdf", 4);
+        row("no folder for a page", "comb.fff -o nowhere/out.html", 4);
         row("no folder for pictures", "comb.fff -o nowhere/out.png", 4);
     }
     void wrongUseIsSaid()
