@@ -3,6 +3,7 @@
 'use strict';
 
 const BESIDE = 22; // px, a number from the arrow
+const SHORTEST = 38; // px, of an arrow
 const PLACES_LAST = 90; // ms that a number keeps its place while the model turns
 
 class Marks {
@@ -106,9 +107,11 @@ class Marks {
             return;
         const tip = corners[corners.length - 1], last = corners[corners.length - 2];
         const length = Math.hypot(tip.x - last.x, tip.y - last.y);
-        if (length < 12)
+        if (length < 2)
             return; // towards the eye
         const ux = (tip.x - last.x) / length, uy = (tip.y - last.y) / length;
+        if (corners.length === 2 && length < SHORTEST) // a short way has its direction, too
+            corners[0] = {x: tip.x - SHORTEST * ux, y: tip.y - SHORTEST * uy};
         const lines = new Path2D(), head = new Path2D();
         corners.forEach((corner, i) => {
             const end = i === corners.length - 1 ? {x: tip.x - 8 * ux, y: tip.y - 8 * uy} : corner;

@@ -3,6 +3,7 @@
 
 const FIELD = 30;       // degrees, of the shorter side of the stage
 const NEAREST = 0.15, FARTHEST = 4; // times the distance from which all is seen
+const WITH_WAYS = 1.15; // times the distance for the model that long ways may take
 const STEEPEST = 1.5;   // radians, of the eye over the horizon
 
 function colourOf(variable) {
@@ -112,7 +113,8 @@ class Model {
         this.fit();
     }
 
-    /// How far away the eye sees all of the model, however it is turned, and most of the ways.
+    /// How far away the eye sees all of the model, however it is turned (but for a little), and most
+    /// of the ways.
     fit() {
         const distance = (points, yaw) => {
             const {right, up, back} = this.axes(yaw);
@@ -125,7 +127,8 @@ class Model {
         let all = 0;
         for (let i = 0; i < 24; ++i)
             all = Math.max(all, distance(this.done.points, i * Math.PI / 12));
-        this.distance = 1.06 * Math.max(all, Math.min(distance(this.reach.points, this.yaw), 1.3 * all));
+        all = Math.max(0.94 * all, distance(this.done.points, this.yaw));
+        this.distance = 1.06 * Math.max(all, Math.min(distance(this.reach.points, this.yaw), WITH_WAYS * all));
     }
 
     /// What of the stage is seen at a distance of 1, to the right and up.

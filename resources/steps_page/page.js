@@ -115,7 +115,18 @@ class Page {
         this.buttons.previous.disabled = time <= 0;
         this.buttons.next.disabled = isFinished;
         this.model.parts.forEach((part, i) => this.rows[i].classList.toggle('is-moving', part.isMoving));
+        this.showRow(this.rows[this.model.parts.findIndex(part => part.isMoving)]);
         this.redraw();
+    }
+
+    /// In the list beside a wide stage; on a phone it is below, and the page stays where it is.
+    showRow(row) {
+        const list = document.getElementById('parts');
+        if (!row || getComputedStyle(list).overflowY !== 'auto')
+            return;
+        const seen = list.getBoundingClientRect(), own = row.getBoundingClientRect();
+        if (own.top < seen.top || own.bottom > seen.bottom)
+            list.scrollTop += own.top - seen.top - seen.height / 3;
     }
 
     /// Only what is new, since it is read out.
