@@ -91,7 +91,7 @@ complete -c flatfitfab-cli -n '__fish_seen_subcommand_from render' -l unit-mm -r
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from render' -l verbose -d 'Says of each thing in the file that was corrected where.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from render' -s h -l help -d 'Shows this help.'
 complete -c flatfitfab-cli -n __fish_use_subcommand -f -a steps -d 'How it goes together, step by step; needs a display'
-complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -s o -l output -r -d 'A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.'
+complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -s o -l output -r -d 'A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -l paper -r -d 'a4 or letter (by default as is usual in your country).'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -l size -r -d 'Pixels of the picture (1280x800).'
 complete -c flatfitfab-cli -n '__fish_seen_subcommand_from steps' -l view -r -d 'iso1 to iso4, front, right, top, left, back, bottom, or fit: the front again (iso1).'
