@@ -9,8 +9,38 @@
 #include <algorithm>
 #include <clocale>
 #include <memory>
+#ifdef Q_OS_WIN
+#include <cstdio>
+#include <fcntl.h>
+#include <io.h>
+#include <windows.h>
+#endif
 
 namespace {
+
+#ifdef Q_OS_WIN
+/// What is printed is bytes, of files too, and text in UTF-8; a console has another code by itself,
+/// which whoever uses it next finds again.
+class Console
+{
+public:
+    Console() : m_before(GetConsoleOutputCP())
+    {
+        SetConsoleOutputCP(CP_UTF8);
+        _setmode(_fileno(stdout), _O_BINARY);
+    }
+    ~Console()
+    {
+        if (m_before != 0)
+            SetConsoleOutputCP(m_before);
+    }
+    Console(const Console &) = delete;
+    Console &operator=(const Console &) = delete;
+
+private:
+    UINT m_before;
+};
+#endif
 
 QString helpText()
 {
@@ -72,6 +102,9 @@ std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
 
 int main(int argc, char *argv[])
 {
+#ifdef Q_OS_WIN
+    const Console console;
+#endif
     const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
     // Its sentences are English, so are the numbers in them and the reasons that the system gives.
     QLocale::setDefault(QLocale::c());

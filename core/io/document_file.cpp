@@ -41,8 +41,7 @@ QString whyNot(int number, const QString &target)
     const QFileInfo info(target);
     if (info.exists() && !info.isWritable())
         return QLatin1String(QT_TRANSLATE_NOOP("Error", "this file is read-only"));
-    const bool isRefused = number == EACCES || number == EPERM || number == EROFS;
-    if (isRefused && QFileInfo(info.path()).isDir())
+    if (isRefusal(number) && QFileInfo(info.path()).isDir())
         return QLatin1String(QT_TRANSLATE_NOOP("Error", "this folder is read-only"));
     return systemReason(number);
 }

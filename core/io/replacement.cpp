@@ -11,6 +11,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#else
+#include <windows.h>
 #endif
 
 namespace fff::io {
@@ -31,8 +33,22 @@ QString behindLinks(const QString &path)
 
 QString systemReason(int number)
 {
-    return number == ENOSPC ? QString(QLatin1String(QT_TRANSLATE_NOOP("Error", "the disk is full")))
-                            : qt_error_string(number);
+#ifdef Q_OS_UNIX
+    const bool isFull = number == ENOSPC;
+#else
+    const bool isFull = number == ERROR_DISK_FULL || number == ERROR_HANDLE_DISK_FULL;
+#endif
+    return isFull ? QString(QLatin1String(QT_TRANSLATE_NOOP("Error", "the disk is full")))
+                  : qt_error_string(number);
+}
+
+bool isRefusal(int number)
+{
+#ifdef Q_OS_UNIX
+    return number == EACCES || number == EPERM || number == EROFS;
+#else
+    return number == ERROR_ACCESS_DENIED || number == ERROR_WRITE_PROTECT;
+#endif
 }
 
 #ifdef Q_OS_UNIX
@@ -168,23 +184,39 @@ int Replacement::commit()
 
 #else
 
+namespace {
+
+/// Why the call before failed. Some fail without the system having said anything.
+int lastError()
+{
+    const DWORD number = GetLastError();
+    return number != ERROR_SUCCESS ? static_cast<int>(number) : ERROR_WRITE_FAULT;
+}
+
+} // namespace
+
 struct Replacement::File : QSaveFile
 {
     using QSaveFile::QSaveFile;
+
+    int number = 0; // why it could not be opened
 };
 
 Replacement::Replacement(const QString &path)
     : m_target(behindLinks(path)), m_file(std::make_unique<File>(m_target))
 {
-    m_file->open(QIODevice::WriteOnly);
+    if (!m_file->open(QIODevice::WriteOnly))
+        m_file->number = lastError();
 }
 
 Replacement::~Replacement() = default;
 
 int Replacement::write(const std::string &bytes)
 {
+    if (!m_file->isOpen())
+        return m_file->number;
     const auto size = static_cast<qint64>(bytes.size());
-    return m_file->write(bytes.data(), size) == size && m_file->flush() ? 0 : EIO;
+    return m_file->write(bytes.data(), size) == size && m_file->flush() ? 0 : lastError();
 }
 
 int Replacement::putOnDisk()
@@ -194,7 +226,7 @@ int Replacement::putOnDisk()
 
 int Replacement::commit()
 {
-    return m_file->commit() ? 0 : EIO;
+    return m_file->commit() ? 0 : lastError();
 }
 
 #endif

@@ -64,7 +64,12 @@ bool canBeWritten(const QString &folder)
 Places ofThisRun()
 {
     static const QTemporaryDir once;
-    const QString runtime = QStandardPaths::writableLocation(QStandardPaths::RuntimeLocation);
+#ifdef Q_OS_WIN
+    const auto kind = QStandardPaths::TempLocation; // the other one is the person's own folder
+#else
+    const auto kind = QStandardPaths::RuntimeLocation;
+#endif
+    const QString runtime = QStandardPaths::writableLocation(kind);
     return {once.path() + kSettingsFile, (runtime.isEmpty() ? once.path() : runtime) + kOwnFolder,
             once.path()};
 }
