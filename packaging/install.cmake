@@ -23,4 +23,6 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/lessons DESTINATION ${CMAKE_INST
 if(UNIX AND NOT APPLE)
     include(${CMAKE_CURRENT_LIST_DIR}/linux/desktop.cmake)
     include(${CMAKE_CURRENT_LIST_DIR}/linux/deb.cmake)
+elseif(WIN32)
+    include(${CMAKE_CURRENT_LIST_DIR}/windows/program.cmake)
 endif()
