@@ -49,3 +49,4 @@ execute_process(COMMAND ${${machine}-strip} --strip-unneeded ${programs} ${libra
 file(WRITE ${FOLDER}/qt.conf "[Paths]\nPrefix=.\nPlugins=plugins\nTranslations=translations\n")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/../../LICENSE ${FOLDER}/LICENSE.txt COPYONLY)
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/../../resources/licences/ DESTINATION ${FOLDER}/licences PATTERN *.cmake EXCLUDE)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/licences.txt ${FOLDER}/licences/windows.txt COPYONLY)
