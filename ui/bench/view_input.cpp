@@ -122,6 +122,7 @@ void ViewInput::release(QSinglePointEvent *event)
         Q_EMIT menuWanted(event->position().toPoint());
 }
 
+#if QT_CONFIG(tabletevent)
 void ViewInput::tablet(QTabletEvent *event)
 {
     event->accept();
@@ -145,6 +146,7 @@ void ViewInput::erase(QTabletEvent *event)
     if (event->buttons() != Qt::NoButton)
         m_bench.eraseHoveredPoint();
 }
+#endif
 
 void ViewInput::letGo(Qt::MouseButtons stillHeld)
 {

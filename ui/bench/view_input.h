@@ -31,8 +31,11 @@ public:
     void press(QSinglePointEvent *event);
     void move(QSinglePointEvent *event);
     void release(QSinglePointEvent *event);
-    /// A pen draws as the mouse does; its other end takes control points away.
+#if QT_CONFIG(tabletevent)
+    /// A pen draws as the mouse does; its other end takes control points away. (Where Qt knows no
+    /// pens, they are mice.)
     void tablet(QTabletEvent *event);
+#endif
     void wheel(QWheelEvent *event);
     /// Two fingers apart or together zoom, two fingers sideways push the picture. False for other
     /// gestures.

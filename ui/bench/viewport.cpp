@@ -297,6 +297,7 @@ void Viewport::wheelEvent(QWheelEvent *event)
     m_input.wheel(event);
 }
 
+#if QT_CONFIG(tabletevent)
 void Viewport::tabletEvent(QTabletEvent *event)
 {
     showFocus(false);
@@ -305,6 +306,7 @@ void Viewport::tabletEvent(QTabletEvent *event)
     m_touch.penIsNear(event->timestamp());
     m_input.tablet(event);
 }
+#endif
 
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
