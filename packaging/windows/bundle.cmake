@@ -12,7 +12,7 @@ execute_process(COMMAND ${${machine}-g++-posix} -print-file-name=libstdc++-6.dll
 get_filename_component(compiler_folder ${compiler_library} DIRECTORY)
 
 # What every Windows has.
-set(of_system "^(advapi32|api-ms-.*|authz|comdlg32|d2d1|d3d9|d3d11|d3d12|dwmapi|dwrite|dxgi|gdi32|imm32|kernel32|mpr|msvcrt|netapi32|ntdll|ole32|oleaut32|opengl32|rpcrt4|setupapi|shcore|shell32|shlwapi|user32|userenv|uxtheme|version|winmm|wtsapi32|ws2_32)\\.dll$")
+set(of_system "^(advapi32|api-ms-.*|authz|comdlg32|d2d1|d3d9|d3d11|d3d12|dwmapi|dwrite|dxgi|gdi32|imm32|kernel32|mpr|msvcrt|netapi32|ntdll|ole32|oleaut32|opengl32|qt6.*|rpcrt4|setupapi|shcore|shell32|shlwapi|user32|userenv|uxtheme|version|winmm|wtsapi32|ws2_32)\\.dll$")
 
 file(REMOVE_RECURSE ${FOLDER})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
@@ -27,13 +27,19 @@ foreach(plugin platforms/qwindows.dll imageformats/qjpeg.dll imageformats/qgif.d
     configure_file(${SYSROOT}/plugins/${plugin} ${FOLDER}/plugins/${plugin} COPYONLY)
     list(APPEND plugins ${FOLDER}/plugins/${plugin})
 endforeach()
+# All that there are: CMake looks for them in lower case, which their names are not.
+file(GLOB libraries ${SYSROOT}/bin/Qt6*.dll)
+foreach(library ${libraries})
+    configure_file(${library} ${FOLDER} COPYONLY)
+endforeach()
+file(GLOB libraries ${FOLDER}/Qt6*.dll)
 file(GLOB translations ${qt_translations}/qtbase_*.qm)
 file(COPY ${translations} DESTINATION ${FOLDER}/translations)
 
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_PLATFORM windows+pe)
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_TOOL objdump)
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_COMMAND ${${machine}-objdump})
-file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${programs} MODULES ${plugins}
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${programs} LIBRARIES ${libraries} MODULES ${plugins}
     DIRECTORIES ${SYSROOT}/bin ${compiler_folder} /usr/${machine}/lib
     RESOLVED_DEPENDENCIES_VAR found UNRESOLVED_DEPENDENCIES_VAR missing PRE_EXCLUDE_REGEXES ${of_system})
 if(missing)
