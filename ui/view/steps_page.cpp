@@ -1,6 +1,5 @@
 #include "ui/view/steps_page.h"
 
-#include "core/fabrication/outline_size.h"
 #include "core/session/section_names.h"
 #include "ui/view/steps_page_data.h"
 

@@ -6,7 +6,7 @@
 #include "core/operations/evaluate.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
-#include "ui/view/steps_files.h"
+#include "ui/view/steps_page.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -36,17 +36,13 @@ Document named(Document document, const std::string &name)
     return document;
 }
 
-/// As the command line and the window have it made; offscreen, so without pictures.
+/// Without pictures, as on a display that makes none, whatever there is here.
 QByteArray pageOf(const AssemblyStepsPointer &steps, const QString &title)
 {
-    StepsFiles::Options options;
-    options.kind = StepsFiles::Kind::Page;
-    options.paper.title = title;
-    StepsFiles files(steps, options);
-    for (int i = 0; i < files.pieceCount(); ++i)
-        if (!files.makePiece(i))
-            return {};
-    return QByteArray::fromStdString(files.take().front());
+    StepsPage::Options options;
+    options.title = title;
+    StepPictures pictures(steps, Camera());
+    return StepsPage(pictures, options, Camera()).take();
 }
 
 QByteArray between(const QByteArray &page, const QByteArray &from, const QByteArray &to)
