@@ -83,6 +83,7 @@ class Browser:
         os.close(from_write)
         self.out, self.into, self.rest = to_write, from_read, b""
         self.number, self.events, self.session = 0, [], None
+        self.hand_time = time.time()  # seconds
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -157,12 +158,18 @@ class Browser:
         """Until what follows a change has been drawn."""
         self.run("new Promise(done => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 300))")
 
+    def pause(self, seconds):
+        """Of the hand: events have a time of their own, so that a slow machine makes no slow hand."""
+        self.hand_time += seconds
+        return self.hand_time
+
     def mouse(self, kind, x, y, **more):
         held = 0 if kind == "mouseReleased" else 1
-        self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, **{"button": "left", "buttons": held, "clickCount": 1, **more})
+        self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, timestamp=self.pause(0.02),
+                 **{"button": "left", "buttons": held, "clickCount": 1, **more})
 
     def fingers(self, kind, *points):
-        self.ask("Input.dispatchTouchEvent", type=kind,
+        self.ask("Input.dispatchTouchEvent", type=kind, timestamp=self.pause(0.02),
                  touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
 
     def key(self, name):

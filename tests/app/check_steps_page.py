@@ -71,6 +71,7 @@ def steps_are_gone_through(check, count):
 
 
 def tap_twice(browser, is_phone):
+    browser.pause(1.0)
     for _ in range(2):
         if is_phone:
             browser.fingers("touchStart", browser.middle("#stage"))
