@@ -13,7 +13,7 @@ execute_process(COMMAND ${qtpaths6} --query QT_INSTALL_TRANSLATIONS
 # The system's own: the C library and the compiler's, and whatever drivers of OpenGL are linked to, which has to be what
 # they were built with.
 set(of_system "^(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|stdc\\+\\+|gcc_s)\\.so.*)$"
-    "^lib(GL|EGL|GLX|GLdispatch|OpenGL|GLESv2|gbm|drm|glapi)(\\.|-).*$"
+    "^lib(GL|EGL|GLX|GLdispatch|GLESv2|gbm|drm|glapi)(\\.|-).*$"
     "^lib(X11|X11-xcb|xcb|Xau|Xdmcp|bsd|md|wayland-client|wayland-server|z|zstd|expat|ffi)\\.so.*$")
 # What is loaded when the program runs; what is missing here (a plugin that Qt's version has not) is not needed.
 set(wanted platforms/libqxcb.so platforms/libqoffscreen.so platforms/libqwayland-egl.so platforms/libqwayland-generic.so
