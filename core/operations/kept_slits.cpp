@@ -3,6 +3,7 @@
 #include "core/assembly/assembly.h"
 #include "core/assembly/crossing.h"
 #include "core/base/tolerances.h"
+#include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/evaluate.h"
 
