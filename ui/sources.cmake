@@ -208,6 +208,7 @@ target_sources(fff_ui PRIVATE
     window/main_window.cpp
     window/main_window_help.cpp
     window/main_window_scope.cpp
+    window/main_window_start.cpp
     window/main_window_tour.cpp
     window/main_window_commands.cpp
     window/main_window_imports.cpp
