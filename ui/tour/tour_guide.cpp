@@ -188,18 +188,19 @@ QPolygonF TourGuide::wayOfSlit() const
     if (model.sectionCount() == 0)
         return {};
     const Section &body = *model.section(0);
-    const Box3 box = worldBounds(*body.shape, body.frame);
-    const Vec3 centre = box.center();
-    double top = box.min.y(); // of the body right above its middle
-    for (const Vec2 &p : body.shape->contour().polygon(kDrawChord)) {
-        const Vec3 at = body.frame.toWorld(p);
-        if ((Vec2(at.x(), at.z()) - Vec2(centre.x(), centre.z())).norm() < 0.2 * box.size().norm())
-            top = std::max(top, at.y());
+    const QPointF centre = seen(worldBounds(*body.shape, body.frame).center());
+    double top = centre.y(); // of the body, right above that
+    const Polygon outline = body.shape->contour().polygon(kDrawChord);
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const QPointF from = seen(body.frame.toWorld(outline[j])),
+                      to = seen(body.frame.toWorld(outline[i]));
+        if ((from.x() < centre.x()) == (to.x() < centre.x()))
+            continue;
+        const double share = (centre.x() - from.x()) / (to.x() - from.x());
+        top = std::min(top, from.y() + share * (to.y() - from.y()));
     }
-    const QPointF edge = seen({centre.x(), top, centre.z()});
-    const QPointF from = 0.5 * (edge + seen(centre));
-    const double out = std::clamp(edge.y() - from.y(), -70.0, -24.0);
-    return {from, edge + QPointF(0.0, out)};
+    const double half = 0.5 * (centre.y() - top);
+    return {{centre.x(), top + half}, {centre.x(), top - std::clamp(half, 24.0, 70.0)}};
 }
 
 /// Where nothing of the model is, at the side that has more room.

@@ -43,6 +43,7 @@ private Q_SLOTS:
     void theStartPageOffersIt();
     void itEndsWithTheModel();
     void theSimpleWindowHasNoOperations();
+    void theHintLeavesTheBodyUpwards();
     void theHintTakesNoClickAndRests();
 
 private:
@@ -224,6 +225,21 @@ void TestTour::theSimpleWindowHasNoOperations()
     }
     QCOMPARE(steps.size(), 5); // the first is done
     QVERIFY(steps.filter(QStringLiteral("Linear")).isEmpty());
+}
+
+// Wrong: of a body with long straight edges it goes down, into the ground.
+void TestTour::theHintLeavesTheBodyUpwards()
+{
+    begin();
+    NewSection body;
+    body.name = "Body";
+    body.shape = *Shape::make(*Contour::fromPolygon({{-60, 0}, {60, 0}, {60, 40}, {-60, 40}}));
+    bench().commit(QStringLiteral("draw"), addSection(session().committed().document, body));
+    QTRY_VERIFY(asks("across it"));
+    QTRY_VERIFY(hint()->isVisible());
+    const int top = m_view->mapTo(m_window.get(), onScreen({0, 40, 0})).y();
+    const int bottom = m_view->mapTo(m_window.get(), onScreen({0, 0, 0})).y();
+    QTRY_VERIFY(hint()->geometry().top() < top && hint()->geometry().bottom() < bottom);
 }
 
 void TestTour::theHintTakesNoClickAndRests()
