@@ -11,9 +11,11 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QScreen>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -38,6 +40,21 @@ public:
 
     std::function<QString()> keys; // the page that has no file
 
+    /// What reads Markdown takes the system's colour, which the dark theme has no contrast to.
+    void colourLinks()
+    {
+        QTextCharFormat link;
+        link.setForeground(theme().accent);
+        for (QTextBlock block = document()->begin(); block.isValid(); block = block.next())
+            for (auto it = block.begin(); !it.atEnd(); ++it)
+                if (const QTextFragment words = it.fragment(); words.charFormat().isAnchor()) {
+                    QTextCursor cursor(document());
+                    cursor.setPosition(words.position());
+                    cursor.setPosition(words.position() + words.length(), QTextCursor::KeepAnchor);
+                    cursor.mergeCharFormat(link);
+                }
+    }
+
     QVariant loadResource(int type, const QUrl &name) override
     {
         if (type == QTextDocument::HtmlResource && name == QUrl(kKeysAddress))
@@ -60,6 +77,7 @@ protected:
             return;
         const int place = verticalScrollBar()->value();
         reload();
+        colourLinks();
         verticalScrollBar()->setValue(place);
     }
 };
@@ -85,7 +103,7 @@ HelpWindow::HelpWindow(Actions actions, QWidget *parent)
 {
     setObjectName(QStringLiteral("helpWindow"));
     setWindowTitle(tr("Help"));
-    resize(kFirstSize);
+    resize(kFirstSize.boundedTo(screen()->availableSize() - QSize(24, 44))); // for its frame
     m_pages->setObjectName(QStringLiteral("helpPages"));
     m_pages->setAccessibleName(tr("Pages"));
     m_pages->setFrameShape(QFrame::NoFrame);
@@ -118,6 +136,7 @@ HelpWindow::HelpWindow(Actions actions, QWidget *parent)
             [this](const QListWidgetItem *row) { show({row->data(Qt::UserRole).toString()}); });
     connect(m_text, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
     connect(m_text, &QTextBrowser::sourceChanged, this, &HelpWindow::markPage);
+    connect(m_text, &QTextBrowser::historyChanged, text, &PageBrowser::colourLinks);
     connect(back, &QPushButton::clicked, m_text, &QTextBrowser::backward);
     connect(m_text, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -193,7 +212,7 @@ void HelpWindow::saveCheatSheet()
     QMessageBox failed(QMessageBox::NoIcon, tr("Save the keys as a page"),
                        tr("%1 could not be written.").arg(QFileInfo(path).fileName()),
                        QMessageBox::Ok, this);
-    failed.setPalette(theme().palette());
+    dress(&failed);
     failed.exec();
 }
 

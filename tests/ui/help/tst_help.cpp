@@ -8,6 +8,7 @@
 #include "tests/ui/dialogs/export_hand.h"
 #include "tests/ui/work_folder.h"
 #include "ui/actions/action_set.h"
+#include "ui/base/theme.h"
 #include "ui/base/translations.h"
 #include "ui/dialogs/command_search.h"
 #include "ui/docks/checks_dock.h"
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void topicsAreThere();
     void partsOfTheWindowHaveTheirPages();
     void aHeadingIsScrolledTo();
+    void linksHaveTheThemesColour();
     void theKeyOpensIt();
     void theKeyWorksOverADialog();
     void headingsAreFoundByTheirWords();
@@ -168,6 +170,34 @@ void TestHelp::aHeadingIsScrolledTo()
     window.open({QStringLiteral("joints")});
     QVERIFY(text->toPlainText().startsWith(QStringLiteral("Joints and fit")));
     QCOMPARE(text->cursorForPosition({20, 24}).block().text(), QStringLiteral("Joints and fit"));
+}
+
+// Wrong: blue on black, as the system has links.
+void TestHelp::linksHaveTheThemesColour()
+{
+    settings().setColourScheme(ColourScheme::Dark);
+    HelpWindow window([this] { return actions(); }, nullptr);
+    const auto *text = window.findChild<QTextBrowser *>();
+    const auto check = [&] {
+        int links = 0;
+        for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next())
+            for (auto it = block.begin(); !it.atEnd(); ++it)
+                if (it.fragment().charFormat().isAnchor()) {
+                    QCOMPARE(it.fragment().charFormat().foreground().color(), theme().accent);
+                    ++links;
+                }
+        QVERIFY(links > 0);
+    };
+    for (const char *page : {"cutting", "keys", "more"}) {
+        window.open({QLatin1String(page)});
+        check();
+    }
+    window.resize(window.width() - 100, window.height()); // the page is read anew
+    QTest::qWait(0);
+    check();
+    QTest::mouseClick(window.findChild<QPushButton *>(QStringLiteral("helpBack")), Qt::LeftButton);
+    check();
+    settings().setColourScheme(ColourScheme::System);
 }
 
 void TestHelp::theKeyOpensIt()
