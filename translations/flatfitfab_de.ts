@@ -10088,11 +10088,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 und weitere in %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 in %2</translation>
     </message>
 </context>
@@ -10377,6 +10377,10 @@
     <message>
         <source>Exported the skin to %1.</source>
         <translation>Haut nach %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>Not exported: the files that are there stay.</source>
+        <translation>Nicht exportiert: Die vorhandenen Dateien bleiben.</translation>
     </message>
 </context>
 <context>

@@ -10088,11 +10088,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 et suivants, dans %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 dans %2</translation>
     </message>
 </context>
@@ -10377,6 +10377,10 @@
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
         <translation>Des plaques d’un export précédent sont encore là&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not exported: the files that are there stay.</source>
+        <translation>Rien n’a été exporté : les fichiers présents restent.</translation>
     </message>
 </context>
 <context>

@@ -9988,11 +9988,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 以降（%2 の中）</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1（%2 の中）</translation>
     </message>
 </context>
@@ -10273,6 +10273,10 @@
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
         <translation>以前の書き出しのシートが残っています: %1。</translation>
+    </message>
+    <message>
+        <source>Not exported: the files that are there stay.</source>
+        <translation>書き出していません: もとのファイルはそのままです。</translation>
     </message>
 </context>
 <context>

@@ -10188,11 +10188,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 i kolejne w folderze %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 w folderze %2</translation>
     </message>
 </context>
@@ -10481,6 +10481,10 @@
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
         <translation>Są jeszcze arkusze z wcześniejszego eksportu: %1.</translation>
+    </message>
+    <message>
+        <source>Not exported: the files that are there stay.</source>
+        <translation>Nie wyeksportowano: pliki, które tam są, zostają.</translation>
     </message>
 </context>
 <context>

@@ -10088,11 +10088,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 e seguintes, em %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 em %2</translation>
     </message>
 </context>
@@ -10377,6 +10377,10 @@
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
         <translation>Chapas de uma exportação anterior ainda estão lá: %1.</translation>
+    </message>
+    <message>
+        <source>Not exported: the files that are there stay.</source>
+        <translation>Não exportado: os arquivos existentes ficam.</translation>
     </message>
 </context>
 <context>

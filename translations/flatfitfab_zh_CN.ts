@@ -9988,11 +9988,11 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 等文件，在 %2 中</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1，在 %2 中</translation>
     </message>
 </context>
@@ -10273,6 +10273,10 @@
     <message>
         <source>Sheets of an earlier export are still there: %1.</source>
         <translation>上次导出的板材文件还在：%1。</translation>
+    </message>
+    <message>
+        <source>Not exported: the files that are there stay.</source>
+        <translation>没有导出：原有的文件保持不变。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
@@ -38,15 +40,21 @@ ExportPlaceRow::ExportPlaceRow(QWidget *parent)
 
 QString ExportPlaceRow::placeText(const QString &name, const QDir &folder)
 {
+    return textOf(name, nameOf(folder), false);
+}
+
+QString ExportPlaceRow::textOf(const QString &name, const QString &folder, bool isFirst)
+{
     //: %1 is a file's name, or several, %2 their folder's
-    return tr("%1 in %2").arg(name, nameOf(folder));
+    return (isFirst ? tr("%1 and so on, in %2") : tr("%1 in %2")).arg(name, folder);
 }
 
 void ExportPlaceRow::setPath(const QString &path, bool isFirst)
 {
     const QFileInfo file(path);
-    m_text = isFirst ? tr("%1 and so on, in %2").arg(file.fileName(), nameOf(file.dir()))
-                     : placeText(file.fileName(), file.dir());
+    m_name = file.fileName();
+    m_folder = nameOf(file.dir());
+    m_isFirst = isFirst;
     const QString whole = QDir::toNativeSeparators(path);
     m_words->setToolTip(whole);
     m_words->setAccessibleName(whole);
@@ -62,7 +70,15 @@ void ExportPlaceRow::resizeEvent(QResizeEvent *event)
 void ExportPlaceRow::refresh()
 {
     layout()->activate();
-    m_words->setText(m_words->fontMetrics().elidedText(m_text, Qt::ElideMiddle, m_words->width()));
+    // Each loses its own middle, so that where one ends and the other begins stays to be read.
+    const QFontMetrics metrics = m_words->fontMetrics();
+    const int room = m_words->width() - metrics.horizontalAdvance(textOf({}, {}, m_isFirst)) - 2;
+    const int folder = metrics.horizontalAdvance(m_folder);
+    const QString name =
+        metrics.elidedText(m_name, Qt::ElideMiddle, room - std::min(folder, room / 2));
+    const QString rest =
+        metrics.elidedText(m_folder, Qt::ElideMiddle, room - metrics.horizontalAdvance(name));
+    m_words->setText(textOf(name, rest, m_isFirst));
 }
 
 } // namespace fff::ui

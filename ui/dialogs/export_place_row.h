@@ -30,9 +30,11 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    static QString textOf(const QString &name, const QString &folder, bool isFirst);
     void refresh();
 
-    QString m_text;
+    QString m_name, m_folder;
+    bool m_isFirst = false;
     QLabel *m_words = nullptr;
     LinkRow *m_change = nullptr;
 };

@@ -164,13 +164,13 @@ bool DocumentFiles::mayClose()
                          tr("Save the changes to %1?").arg(baseName() + u'.' + nativeSuffix()),
                          QMessageBox::NoButton, &m_window);
     question.setObjectName(QStringLiteral("unsavedQuestion"));
-    question.setPalette(theme().palette());
     question.setInformativeText(tr("Without saving, they are lost."));
     QPushButton *keep = question.addButton(tr("Save"), QMessageBox::AcceptRole);
     QPushButton *lose = question.addButton(tr("Don’t save"), QMessageBox::DestructiveRole);
     QPushButton *back = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
     question.setDefaultButton(keep);
     question.setEscapeButton(back);
+    dress(&question);
     question.exec();
     if (question.clickedButton() == keep)
         return save();
@@ -288,13 +288,13 @@ bool DocumentFiles::maySaveOver(const QString &path, bool *asksForName)
                          tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
                          QMessageBox::NoButton, &m_window);
     question.setObjectName(QStringLiteral("changedOnDiskQuestion"));
-    question.setPalette(theme().palette());
     question.setInformativeText(tr("Overwriting it would lose those changes."));
     QPushButton *another = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
     QPushButton *over = question.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
     QPushButton *back = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
     question.setDefaultButton(another);
     question.setEscapeButton(back);
+    dress(&question);
     question.exec();
     *asksForName = question.clickedButton() == another;
     return question.clickedButton() == over;

@@ -164,8 +164,10 @@ bool Exporting::mayReplaceThose(const ExportKind &kind, const std::vector<io::Na
 bool Exporting::put(const QString &path, const ExportKind &kind, const QString &doing,
                     const std::vector<io::NamedBytes> &files)
 {
-    if (!mayReplaceThose(kind, files))
+    if (!mayReplaceThose(kind, files)) {
+        m_status.say(tr("Not exported: the files that are there stay.")); // not what was done last
         return false;
+    }
     const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
         return files.size() == 1 ? io::writeFile(files[0].path, files[0].bytes)
                                  : io::writeFiles(files);
@@ -327,9 +329,10 @@ QStringList Exporting::olderSheets(const QString &path, std::size_t count, const
     QStringList names;
     for (const QString &file : io::olderFiles(path, count, suffix))
         names += QFileInfo(file).fileName();
-    return names.isEmpty() ? QStringList()
-                           : QStringList{tr("Sheets of an earlier export are still there: %1.")
-                                             .arg(separated(names))};
+    return names.isEmpty()
+               ? QStringList()
+               : QStringList{
+                     tr("Sheets of an earlier export are still there: %1.").arg(separated(names))};
 }
 
 QStringList Exporting::warningsOf(const io::CuttingFile &file)

@@ -28,7 +28,8 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
 {
     QStringList there;
     for (const io::NamedBytes &file : files) {
-        if (QFileInfo(file.path).isFile()) // of a folder is said that it is one
+        // Of a folder is said that it is one; a link may lead to where nothing is yet.
+        if (const QFileInfo info(file.path); info.isFile() || (info.isSymLink() && !info.exists()))
             there += QFileInfo(file.path).fileName();
     }
     if (there.isEmpty())
@@ -38,18 +39,18 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
                                                   static_cast<int>(there.size())),
                          QMessageBox::NoButton, &window);
     question.setObjectName(QStringLiteral("replaceQuestion"));
-    question.setPalette(theme().palette());
     QStringList named = there.mid(0, kMostNames);
     if (named.size() < there.size())
         named += QStringLiteral("…");
-    question.setInformativeText(ExportPlaceRow::placeText(
-        separated(named), QFileInfo(files.front().path).absoluteDir()));
+    question.setInformativeText(
+        ExportPlaceRow::placeText(separated(named), QFileInfo(files.front().path).absoluteDir()));
     QPushButton *replace =
         question.addButton(ReplaceQuestionTexts::tr("Replace"), QMessageBox::AcceptRole);
     QPushButton *back =
         question.addButton(ReplaceQuestionTexts::tr("Cancel"), QMessageBox::RejectRole);
     question.setDefaultButton(back); // what is there may be somebody’s
     question.setEscapeButton(back);
+    dress(&question);
     question.exec();
     return question.clickedButton() == replace;
 }

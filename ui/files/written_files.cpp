@@ -4,6 +4,7 @@
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <QFileInfo>
 
 namespace fff::ui {
 
@@ -12,18 +13,14 @@ namespace {
 const QString kWrittenKey = QStringLiteral("export/written");
 constexpr qsizetype kFields = 3; // model, path, hash: newest first
 
-QByteArray hashOf(QByteArrayView bytes)
-{
-    return QCryptographicHash::hash(bytes.toByteArray(), QCryptographicHash::Sha256).toHex();
-}
-
-/// Empty: it cannot be read.
+/// Of what is in a file and where it lies: a link may lead elsewhere by now, to a copy.
 QByteArray hashOfFile(const QString &path)
 {
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QFileInfo(path).canonicalFilePath().toUtf8());
     return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex()
-                                                                 : QByteArray();
+                                                                 : QByteArray(); // unreadable
 }
 
 } // namespace
@@ -32,7 +29,7 @@ void WrittenFiles::remember(const QString &model, const std::vector<io::NamedByt
 {
     QStringList next;
     for (const io::NamedBytes &file : files) {
-        const QByteArray hash = hashOf(file.bytes);
+        const QByteArray hash = hashOfFile(file.path);
         m_written.insert(file.path, hash);
         next += {model, file.path, QString::fromLatin1(hash)};
     }

@@ -15,6 +15,7 @@ namespace fff::ui {
 class WrittenFiles
 {
 public:
+    /// Of files that are on the disk.
     /// model  its file's path; empty: it has none, and this is forgotten with it
     void remember(const QString &model, const std::vector<io::NamedBytes> &files);
     /// Another model comes in its place.

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void whatWasChangedSinceIsAskedAbout();
     void everySheetOfOthersIsAskedAbout();
     void twoModelsWithOneFile();
+    void aLinkThatLeadsElsewhere();
     void enterOnASwitchGoesOn();
     void anotherPlaceIsKept();
     void aCancelledChangeChangesNothing();
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void aFolderForTheWorkshopIsNamed();
     void aFolderThatHasGone();
     void longNamesLoseTheirMiddle();
+    void theQuestionIsReadInTheDark();
     void namesOfPlaceholders();
 
 private:
@@ -229,6 +231,34 @@ void TestExportPlace::twoModelsWithOneFile()
     QCOMPARE(bytesOf(QStringLiteral("same.svg")), others);
 }
 
+// Wrong: a copy in another folder is taken for what was written here.
+void TestExportPlace::aLinkThatLeadsElsewhere()
+{
+#ifndef Q_OS_UNIX
+    QSKIP("links are for administrators there");
+#endif
+    save(QStringLiteral("shelf.fff"));
+    inExportPanel(*m_window, enter);
+    QVERIFY(QDir(folder()).mkdir(QStringLiteral("other")));
+    const QString path = file(QStringLiteral("shelf.svg"));
+    const QString kept = file(QStringLiteral("other/backup.svg"));
+    QVERIFY(QFile::rename(path, kept) && QFile::link(kept, path));
+    const QByteArray before = bytesOf(QStringLiteral("other/backup.svg"));
+    m_window->bench().session().commit(QStringLiteral("draw"), squareDocument(70));
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    QCOMPARE(asked, 1);
+    QCOMPARE(bytesOf(QStringLiteral("other/backup.svg")), before);
+    const QString said = m_window->findChild<QLabel *>(QStringLiteral("statusSentence"))->text();
+    QVERIFY2(said.startsWith(QStringLiteral("Not exported")), qPrintable(said));
+    QVERIFY(QFile::remove(kept)); // it leads nowhere
+    answer(QStringLiteral("Cancel"), &asked);
+    actionOf(*m_window, "file.exportAgain")->trigger();
+    QCOMPARE(asked, 2);
+    QVERIFY(!QFileInfo::exists(kept));
+}
+
 // Wrong: Enter switches what was switched last, and writes nothing.
 void TestExportPlace::enterOnASwitchGoesOn()
 {
@@ -365,12 +395,34 @@ void TestExportPlace::longNamesLoseTheirMiddle()
     inExportPanel(*m_window, [&](QDialog *dialog) {
         const auto *words = dialog->findChild<QLabel *>(QStringLiteral("exportPlaceWords"));
         QVERIFY(words->text().contains(u'…'));
-        QVERIFY(words->text().endsWith(where().right(3)));
+        QVERIFY(words->text().endsWith(QStringLiteral("nn.svg in ") + where()));
         QVERIFY(words->fontMetrics().horizontalAdvance(words->text()) <= words->width());
         QVERIFY(words->toolTip().contains(name));
         auto *area = dialog->findChild<QWidget *>(QStringLiteral("exportChoices"));
         QVERIFY(area->width() < 600);
     });
+}
+
+// Wrong: the name of what would be replaced is black on black.
+void TestExportPlace::theQuestionIsReadInTheDark()
+{
+    settings().setColourScheme(ColourScheme::Dark);
+    save(QStringLiteral("shelf.fff"));
+    put(QStringLiteral("shelf.svg"), "mine");
+    bool isSeen = false;
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        whenShown<QMessageBox>("replaceQuestion", [&](QMessageBox *question) {
+            isSeen = true;
+            for (const QWidget *part : question->findChildren<QWidget *>())
+                if (part->isVisible())
+                    QVERIFY2(part->palette().windowText().color().lightness() >
+                                 part->palette().window().color().lightness() + 100,
+                             part->metaObject()->className());
+        });
+        enter(dialog);
+    });
+    QVERIFY(isSeen);
+    settings().setColourScheme(ColourScheme::System);
 }
 
 // Wrong: a name that is taken for a place where another word goes.
