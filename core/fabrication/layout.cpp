@@ -127,7 +127,8 @@ std::vector<std::size_t> sorted(const std::vector<Poses> &poses, Order by)
     keys.reserve(poses.size());
     for (std::size_t i = 0; i < poses.size(); ++i)
         keys.emplace_back(-sortKey(poses[i].lying(), by), i);
-    std::sort(keys.begin(), keys.end());
+    if (!std::is_sorted(keys.begin(), keys.end())) // parts of a row are alike
+        std::sort(keys.begin(), keys.end());
     std::vector<std::size_t> order;
     order.reserve(keys.size());
     for (const auto &[key, index] : keys)
