@@ -35,7 +35,7 @@ GroundContact contactOf(const Bodies &bodies, const Group &group)
             contact.corners.insert(contact.corners.end(), low.corners.begin(), low.corners.end());
         }
     }
-    contact.corners = convexHull(contact.corners);
+    contact.corners = roughHull(contact.corners);
     return contact;
 }
 

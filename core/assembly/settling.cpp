@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 namespace fff {
 
@@ -128,34 +129,89 @@ bool isOutOfReach(double up, double squaredAcross)
     return up > 0.0 && up * up > kSlope * kSlope * squaredAcross;
 }
 
+bool isKeptOff(const Vec3 &p, const Vec3 &by)
+{
+    return isOutOfReach(p.y() - by.y(), (across(p) - across(by)).squaredNorm());
+}
+
+/// Of points at one height, to rounding, those of which the hull is that of all.
+std::vector<Vec3> outermostOf(std::span<const Vec3> level)
+{
+    std::vector<Vec2> places;
+    places.reserve(level.size());
+    for (const Vec3 &p : level)
+        places.push_back(across(p));
+    std::vector<Vec3> outer;
+    for (const std::size_t i : outermost(places))
+        outer.push_back(level[i]);
+    return outer;
+}
+
+/// withinReach() of few.
+std::vector<Vec3> fewWithinReach(std::vector<Vec3> points)
+{
+    std::sort(points.begin(), points.end(), isLower);
+    auto kept = points.begin();
+    for (const Vec3 &p : points)
+        if (std::none_of(points.begin(), kept, [&](const Vec3 &q) { return isKeptOff(p, q); }))
+            *kept++ = p;
+    points.erase(kept, points.end());
+    return points;
+}
+
 /// Of the points those that can come to touch. What keeps one from it stands no farther from it
 /// than its height above the lowest of all allows: only such are looked at, in the order of the
 /// axis along which the points are strung out. O(n log n) for what has most feet on the ground.
 std::vector<Vec3> withinReach(std::vector<Vec3> points)
 {
-    std::sort(points.begin(), points.end(), isLower);
-    std::vector<Vec3> able;
-    if (points.empty())
+    constexpr std::size_t kFew = 16;
+    if (points.size() <= kFew)
+        return fewWithinReach(std::move(points));
+    const double lowest = std::min_element(points.begin(), points.end(), isLower)->y();
+    // The many feet of what stands are thinned first: those between others never touch alone.
+    const auto raised = std::partition(points.begin(), points.end(),
+                                       [&](const Vec3 &p) { return p.y() <= lowest + kClipGrid; });
+    std::vector<Vec3> able = outermostOf({points.begin(), raised});
+    if (raised == points.end())
         return able;
+    std::sort(raised, points.end(), isLower);
     Box3 box;
     for (const Vec3 &p : points)
         box.extend(p);
     const int axis = box.size().x() >= box.size().z() ? 0 : 2;
     std::multimap<double, Vec3> placed;
-    for (const Vec3 &p : points) {
-        const auto isBelow = [&](const auto &other) {
-            const Vec3 &q = other.second;
-            return isOutOfReach(p.y() - q.y(), (across(p) - across(q)).squaredNorm());
-        };
-        const double reach = kRoundedUp * (p.y() - points.front().y()) / kSlope;
+    for (const Vec3 &p : able)
+        placed.emplace(p[axis], p);
+    for (auto it = raised; it != points.end(); ++it) {
+        const Vec3 &p = *it;
+        const double reach = kRoundedUp * (p.y() - lowest) / kSlope;
         const auto begin = placed.lower_bound(p[axis] - reach);
         const auto end = placed.upper_bound(p[axis] + reach);
-        if (std::any_of(begin, end, isBelow))
+        if (std::any_of(begin, end, [&](const auto &other) { return isKeptOff(p, other.second); }))
             continue;
         able.push_back(p);
         placed.emplace(p[axis], p);
     }
     return able;
+}
+
+/// Of an outline the corners of a hull of what the lowest one does not keep from touching: mostly
+/// two or three of hundreds.
+Polygon lowCorners(const Slab &slab)
+{
+    const Vec2 up(slab.frame.x.y(), slab.frame.y.y());
+    const Polygon &ring = slab.region.outer;
+    Polygon low;
+    if (ring.empty())
+        return low;
+    const auto isLower = [&](const Vec2 &a, const Vec2 &b) { return up.dot(a) < up.dot(b); };
+    const Vec2 lowest = *std::min_element(ring.begin(), ring.end(), isLower);
+    for (const Vec2 &p : ring) {
+        const double rise = up.dot(p - lowest);
+        if (!isOutOfReach(rise, (p - lowest).squaredNorm() - rise * rise))
+            low.push_back(p);
+    }
+    return low.size() > 2 ? convexHull(low) : low;
 }
 
 } // namespace
@@ -168,7 +224,7 @@ std::vector<Vec3> undermost(const Slab &slab)
     // Of an upright one both faces come to the ground.
     const bool hasTwo = !isOutOfReach(-2.0 * toLower.y(), (2.0 * across(toLower)).squaredNorm());
     std::vector<Vec3> points;
-    for (const Vec2 &corner : convexHull(slab.region.outer)) {
+    for (const Vec2 &corner : lowCorners(slab)) {
         const Vec3 middle = slab.frame.toWorld(corner);
         points.push_back(middle + toLower);
         if (hasTwo)

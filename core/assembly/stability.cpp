@@ -4,7 +4,6 @@
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +13,8 @@ namespace {
 
 /// A support polygon below this share of thickness · size is a line (no unit).
 constexpr double kLineShare = 0.01;
+/// Corners of one contact that are not worth a hull of their own: the whole gets one.
+constexpr std::size_t kFewCorners = 8;
 
 Vec2 onGround(const Vec3 &p)
 {
@@ -25,48 +26,6 @@ Vec3 passing(const Vec3 &a, const Vec3 &b, const Ground &ground)
 {
     const double from = ground.above(a), to = ground.above(b);
     return a + std::clamp((kGroundContact - from) / (to - from), 0.0, 1.0) * (b - a);
-}
-
-/// Points whose convex hull is that of all of them, to kClipGrid; few of them.
-std::vector<Vec2> outermost(const std::vector<Vec2> &points)
-{
-    constexpr std::size_t kFew = 8;
-    if (points.size() <= kFew)
-        return points;
-    // The farthest ones in eight directions; most others lie within these (S. Akl, G. Toussaint
-    // 1978, A fast convex hull algorithm), those of a plate that stands on its edge all do.
-    std::array<Vec2, kFew> far;
-    far.fill(points.front());
-    for (const Vec2 &p : points) {
-        const auto keep = [&p, &far](std::size_t i, double here, double there) {
-            if (here > there)
-                far[i] = p;
-        };
-        keep(0, p.x(), far[0].x());
-        keep(1, p.x() + p.y(), far[1].x() + far[1].y());
-        keep(2, p.y(), far[2].y());
-        keep(3, p.y() - p.x(), far[3].y() - far[3].x());
-        keep(4, -p.x(), -far[4].x());
-        keep(5, -p.x() - p.y(), -far[5].x() - far[5].y());
-        keep(6, -p.y(), -far[6].y());
-        keep(7, p.x() - p.y(), far[7].x() - far[7].y());
-    }
-    std::array<Vec2, kFew> edges;
-    std::array<double, kFew> slacks{};
-    for (std::size_t i = 0; i < kFew; ++i) {
-        edges[i] = far[(i + 1) % kFew] - far[i];
-        slacks[i] = kClipGrid * edges[i].norm();
-    }
-    std::vector<Vec2> kept(far.begin(), far.end());
-    for (const Vec2 &p : points) {
-        for (std::size_t i = 0; i < kFew; ++i) {
-            if (cross(edges[i], p - far[i]) < -slacks[i]) {
-                kept.push_back(p);
-                break;
-            }
-        }
-    }
-    return convexHull(kept);
 }
 
 /// One face of a slab, of which mostly heights are asked.
@@ -185,7 +144,8 @@ GroundContact contactOf(const Slab &slab, double level)
     measureHeights(slab, contact);
     if (contact.lowest <= level + kGroundContact) {
         addContact(slab, {Vec3::UnitY(), level}, contact);
-        contact.corners = outermost(contact.corners);
+        if (contact.corners.size() > kFewCorners)
+            contact.corners = roughHull(contact.corners);
     }
     return contact;
 }

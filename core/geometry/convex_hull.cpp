@@ -1,9 +1,15 @@
 #include "core/geometry/convex_hull.h"
 
+#include "core/base/tolerances.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
 
+#include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
+#include <numeric>
 
 namespace fff {
 
@@ -33,6 +39,55 @@ Polygon convexHull(const std::vector<Vec2> &points)
     for (const Kernel::Point_2 &p : hull)
         polygon.emplace_back(p.x(), p.y());
     return polygon;
+}
+
+std::vector<std::size_t> outermost(const std::vector<Vec2> &points)
+{
+    constexpr std::size_t kFew = 8;
+    std::vector<std::size_t> kept;
+    if (points.size() <= kFew) {
+        kept.resize(points.size());
+        std::iota(kept.begin(), kept.end(), std::size_t{0});
+        return kept;
+    }
+    // The farthest ones in eight directions; most others lie within these (S. Akl, G. Toussaint
+    // 1978, A fast convex hull algorithm), those of a plate that stands on its edge all do.
+    std::array<std::size_t, kFew> far{};
+    std::array<double, kFew> reached;
+    reached.fill(-std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double x = points[i].x(), y = points[i].y();
+        const std::array<double, kFew> along{x, x + y, y, y - x, -x, -x - y, -y, x - y};
+        for (std::size_t k = 0; k < kFew; ++k)
+            if (along[k] > reached[k]) {
+                reached[k] = along[k];
+                far[k] = i;
+            }
+    }
+    std::array<Vec2, kFew> edges;
+    std::array<double, kFew> slacks{};
+    for (std::size_t k = 0; k < kFew; ++k) {
+        edges[k] = points[far[(k + 1) % kFew]] - points[far[k]];
+        slacks[k] = kClipGrid * edges[k].norm();
+    }
+    kept.assign(far.begin(), far.end());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < kFew; ++k)
+            if (cross(edges[k], points[i] - points[far[k]]) < -slacks[k]) {
+                kept.push_back(i);
+                break;
+            }
+    std::sort(kept.begin(), kept.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+    return kept;
+}
+
+Polygon roughHull(const std::vector<Vec2> &points)
+{
+    std::vector<Vec2> kept;
+    for (const std::size_t i : outermost(points))
+        kept.push_back(points[i]);
+    return convexHull(kept);
 }
 
 double signedDistance(const Polygon &hull, const Vec2 &point, Vec2 *nearest)

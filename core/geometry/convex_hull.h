@@ -12,6 +12,13 @@ namespace fff {
 /// O(n log n).
 Polygon convexHull(const std::vector<Vec2> &points);
 
+/// Indices of some points, ascending, of which the hull is that of all to kClipGrid: few of many
+/// that lie in rows and lumps. O(n).
+std::vector<std::size_t> outermost(const std::vector<Vec2> &points);
+
+/// convexHull() to kClipGrid, of many points in a fraction of its time.
+Polygon roughHull(const std::vector<Vec2> &points);
+
 /// Distance from a point to the nearest edge of a convex polygon as convexHull gives it, mm:
 /// positive inside, negative outside, 0 exactly on the boundary (the sign is exact; a hull of two
 /// points or one has no inside). Infinitely far outside of an empty one.

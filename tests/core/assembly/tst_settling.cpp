@@ -43,6 +43,7 @@ private Q_SLOTS:
     void roundFeetCountAsTheyAre();
     void aWheelDoesNotStand();
     void whatIsLowestCounts();
+    void ofASlabItsUndermostPointsAreEnough();
     void itRestsAsItsEnergySays();
     void nothingIsBelowTheGround();
     void nothingRestsNowhere();
@@ -266,6 +267,58 @@ void TestSettling::whatIsLowestCounts()
     const double away = 60.0 * 40.0 / std::hypot(60.0, 40.0);
     QVERIFY2(std::abs(rest->tipAngle - std::atan(away / 30.0)) < radians(0.3),
              qPrintable(QString::number(degrees(rest->tipAngle))));
+}
+
+// Upright, oblique and lying ones, of few corners and of many: as all corners of both faces say.
+void TestSettling::ofASlabItsUndermostPointsAreEnough()
+{
+    std::mt19937 random(31);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int resting = 0;
+    for (int round = 0; round < 400; ++round) {
+        const int corners = 3 + round % 40;
+        Region region;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / corners;
+            region.outer.push_back((40.0 + 20.0 * unit(random)) *
+                                   Vec2(std::cos(angle), std::sin(angle)));
+        }
+        Vec3 normal = Vec3(unit(random), unit(random), unit(random)).normalized();
+        if (round % 3 == 0)
+            normal = Vec3::UnitY();
+        if (round % 3 == 1)
+            normal = Vec3(normal.x(), 0.0, normal.z()).normalized();
+        const Vec3 x = normal.cross(Vec3(0.3, 0.5, 0.81)).normalized();
+        const Frame frame{Vec3(0, 50, 0), x, normal.cross(x)};
+        const Slab slab{region, frame, 3.0};
+        std::vector<Vec3> all;
+        for (const Vec2 &corner : slab.region.outer)
+            for (const double side : {-1.5, 1.5})
+                all.push_back(slab.frame.toWorld(corner) + side * slab.frame.normal());
+        const std::vector<Vec3> few = undermost(slab);
+        QVERIFY(few.size() <= all.size());
+        // With two feet beside it, so that upright ones stand, too.
+        const double low =
+            std::min_element(all.begin(), all.end(), [](const Vec3 &a, const Vec3 &b) {
+                return a.y() < b.y();
+            })->y();
+        std::vector<Vec3> ofAll = all, ofFew = few;
+        for (const Vec3 &foot : {Vec3(50, low + 0.2, 70), Vec3(-50, low, 70), Vec3(20, low, -70)}) {
+            ofAll.push_back(foot);
+            ofFew.push_back(foot);
+        }
+        const Vec3 centre(5.0 * unit(random), low + 40.0, 5.0 * unit(random));
+        const auto expected = settle(ofAll, centre), found = settle(ofFew, centre);
+        QCOMPARE(found.has_value(), expected.has_value());
+        if (!expected)
+            continue;
+        ++resting;
+        QVERIFY(std::abs(found->tipAngle - expected->tipAngle) < 1e-7);
+        QVERIFY(std::abs(found->lean - expected->lean) < 1e-7);
+        QVERIFY(std::abs(found->rocking - expected->rocking) < 1e-7);
+        QVERIFY(std::abs(found->margin - expected->margin) < 1e-5);
+    }
+    QVERIFY2(resting > 200, QByteArray::number(resting));
 }
 
 void TestSettling::nothingIsBelowTheGround()

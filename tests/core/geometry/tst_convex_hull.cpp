@@ -36,6 +36,7 @@ class TestConvexHull : public QObject
 
 private Q_SLOTS:
     void hullHoldsAllPointsAndNoOthers();
+    void roughHullIsTheHullToRounding();
     void fewPoints();
     void distanceHasASide();
     void turnsAreTheBestOfAll();
@@ -64,6 +65,31 @@ void TestConvexHull::hullHoldsAllPointsAndNoOthers()
         for (const Vec2 &p : outline)
             QVERIFY2(locate(p, hull) != Side::Outside, shape.name);
     }
+}
+
+void TestConvexHull::roughHullIsTheHullToRounding()
+{
+    std::mt19937 random(4);
+    for (int round = 0; round < 300; ++round) {
+        const int count = std::uniform_int_distribution<int>(0, round % 3 == 0 ? 12 : 400)(random);
+        Polygon points = randomPoints(random, count, 50, round % 5 == 0 ? 1e-7 : 20);
+        if (round % 2 == 0) // in rows, as feet stand
+            for (Vec2 &p : points)
+                p.y() = std::round(0.1 * p.y());
+        const Polygon exact = convexHull(points), rough = roughHull(points);
+        for (const Vec2 &corner : rough)
+            QVERIFY(std::find(points.begin(), points.end(), corner) != points.end());
+        for (const Vec2 &corner : exact)
+            QVERIFY2(signedDistance(rough, corner) > -1.5 * kClipGrid, QByteArray::number(round));
+        QVERIFY(count == 0 || !outermost(points).empty());
+    }
+    // A grid of feet: few of them make its hull.
+    Polygon grid;
+    for (int i = 0; i < 50; ++i)
+        for (int k = 0; k < 50; ++k)
+            grid.emplace_back(i, k);
+    QVERIFY(outermost(grid).size() <= 8);
+    QCOMPARE(roughHull(grid).size(), 4U);
 }
 
 // Feet on one line, or one foot, have a support polygon too: one without an inside.
