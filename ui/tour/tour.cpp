@@ -84,6 +84,11 @@ Tour::Step Tour::step() const
     return lacksBody() ? Step::Draw : m_steps[m_at];
 }
 
+bool Tour::isWaitingForSections() const
+{
+    return m_isOn && !isDone() && (step() == Step::Draw || step() == Step::Cross);
+}
+
 int Tour::number() const
 {
     return !isDone() && lacksBody() ? 0 : static_cast<int>(m_at);

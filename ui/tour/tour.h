@@ -38,6 +38,9 @@ public:
     bool isDone() const { return m_isOn && m_at == m_steps.size(); }
     /// What is to be done now: to draw the body, where it was undone. Only while it is not done.
     Step step() const;
+    /// It waits for one of the first two sections: what is wrong with one alone is none of its
+    /// fault.
+    bool isWaitingForSections() const;
     /// From 0 on.
     int number() const;
     int count() const { return static_cast<int>(m_steps.size()); }

@@ -174,7 +174,11 @@ void MainWindow::makeDocks()
     m_checkList = new CheckList(m_bench->session(),
                                 Settings::dataFolder() + QStringLiteral("/reports"), this);
     m_firstSections = new FirstSections(
-        m_bench->session(), *m_checkList, [this] { return m_bench->interaction().hasGesture(); },
+        m_bench->session(), *m_checkList,
+        [this] {
+            return m_bench->interaction().hasGesture() ||
+                   (m_tour && m_tour->tour().isWaitingForSections());
+        },
         this);
     const auto followRules = [this] {
         m_bench->session().scheduler().setRules(checkRules(settings()));

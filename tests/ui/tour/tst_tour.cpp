@@ -3,10 +3,12 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/model/edits.h"
+#include "core/session/check_list.h"
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "tests/ui/work_folder.h"
+#include "ui/bench/first_sections.h"
 #include "ui/files/document_files.h"
 #include "ui/start/start_page.h"
 #include "ui/tour/tour_card.h"
@@ -39,6 +41,7 @@ private Q_SLOTS:
     void aWholeModel();
     void everyStepCanBeSkipped();
     void undoneIsAskedForAgain();
+    void oneSectionAloneIsNotWrong();
     void whatTurnsByItselfIsNobodysHand();
     void theStartPageOffersIt();
     void itEndsWithTheModel();
@@ -175,6 +178,29 @@ void TestTour::undoneIsAskedForAgain()
     QTRY_VERIFY(asks("Draw a body"));
     clickOn<QPushButton>("tourSkip");
     QVERIFY(asks("Look around"));
+}
+
+// Wrong: "Falls at a touch" beside "Now draw a section across it".
+void TestTour::oneSectionAloneIsNotWrong()
+{
+    begin();
+    drawFirst();
+    QTRY_VERIFY(asks("across it"));
+    m_window->findChild<QAction *>(QStringLiteral("section.dropToGround"))->trigger();
+    setThickness(0.5); // of card it falls at a touch
+    auto *first = m_window->findChild<FirstSections *>();
+    auto *list = m_window->findChild<CheckList *>();
+    const auto hasError = [&] {
+        list->finish();
+        return std::any_of(list->all().begin(), list->all().end(), [](const Finding &finding) {
+            return finding.severity == Severity::Error;
+        });
+    };
+    first->leaveAlone();
+    QVERIFY(!hasError());
+    clickOn<QToolButton>("tourEnd");
+    first->leaveAlone();
+    QVERIFY(hasError());
 }
 
 void TestTour::whatTurnsByItselfIsNobodysHand()
