@@ -9598,8 +9598,8 @@
 <context>
     <name>fff::ui::ChosenPlace</name>
     <message>
-        <source>Export cutting files</source>
-        <translation>Schneiddateien exportieren</translation>
+        <source>Export to</source>
+        <translation>Exportieren nach</translation>
     </message>
 </context>
 <context>
@@ -10088,12 +10088,17 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 und weitere in %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>Replaces %1 in %2</source>
+        <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
+        <translation>Ersetzt %1 in %2</translation>
     </message>
 </context>
 <context>
@@ -12746,6 +12751,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n vorhandene Datei ersetzen?</numerusform>
             <numerusform>%n vorhandene Dateien ersetzen?</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Replace this file?</source>
+        <translation>Diese Datei ersetzen?</translation>
     </message>
 </context>
 <context>

@@ -9698,8 +9698,8 @@
 <context>
     <name>fff::ui::ChosenPlace</name>
     <message>
-        <source>Export cutting files</source>
-        <translation>Eksport plików do cięcia</translation>
+        <source>Export to</source>
+        <translation>Eksportuj do</translation>
     </message>
 </context>
 <context>
@@ -10188,12 +10188,17 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 i kolejne w folderze %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 w folderze %2</translation>
+    </message>
+    <message>
+        <source>Replaces %1 in %2</source>
+        <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
+        <translation>Zastępuje %1 w %2</translation>
     </message>
 </context>
 <context>
@@ -12858,6 +12863,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Replace this file?</source>
+        <translation>Zastąpić ten plik?</translation>
     </message>
 </context>
 <context>

@@ -9598,8 +9598,8 @@
 <context>
     <name>fff::ui::ChosenPlace</name>
     <message>
-        <source>Export cutting files</source>
-        <translation>Exportar arquivos de corte</translation>
+        <source>Export to</source>
+        <translation>Exportar para</translation>
     </message>
 </context>
 <context>
@@ -10088,12 +10088,17 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 e seguintes, em %2</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 em %2</translation>
+    </message>
+    <message>
+        <source>Replaces %1 in %2</source>
+        <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
+        <translation>Substitui %1 em %2</translation>
     </message>
 </context>
 <context>
@@ -12746,6 +12751,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Replace this file?</source>
+        <translation>Substituir este arquivo?</translation>
     </message>
 </context>
 <context>

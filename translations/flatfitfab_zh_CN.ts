@@ -9498,8 +9498,8 @@
 <context>
     <name>fff::ui::ChosenPlace</name>
     <message>
-        <source>Export cutting files</source>
-        <translation>导出切割文件</translation>
+        <source>Export to</source>
+        <translation>导出到</translation>
     </message>
 </context>
 <context>
@@ -9988,12 +9988,17 @@
     </message>
     <message>
         <source>%1 and so on, in %2</source>
-        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1 等文件，在 %2 中</translation>
     </message>
     <message>
         <source>%1 in %2</source>
+        <extracomment>%1 is a file&apos;s name, or several, %2 their folder&apos;s</extracomment>
         <translation>%1，在 %2 中</translation>
+    </message>
+    <message>
+        <source>Replaces %1 in %2</source>
+        <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
+        <translation>替换 %2 中的 %1</translation>
     </message>
 </context>
 <context>
@@ -12634,6 +12639,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>Replace this file?</source>
+        <translation>要替换这个文件吗？</translation>
     </message>
 </context>
 <context>

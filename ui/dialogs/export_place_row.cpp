@@ -40,13 +40,22 @@ ExportPlaceRow::ExportPlaceRow(QWidget *parent)
 
 QString ExportPlaceRow::placeText(const QString &name, const QDir &folder)
 {
-    return textOf(name, nameOf(folder), false);
+    return textOf(name, nameOf(folder), Kind::New);
 }
 
-QString ExportPlaceRow::textOf(const QString &name, const QString &folder, bool isFirst)
+QString ExportPlaceRow::textOf(const QString &name, const QString &folder, Kind kind)
 {
-    //: %1 is a file's name, or several, %2 their folder's
-    return (isFirst ? tr("%1 and so on, in %2") : tr("%1 in %2")).arg(name, folder);
+    switch (kind) {
+    case Kind::New:
+        //: %1 is a file's name, or several, %2 their folder's
+        return tr("%1 in %2").arg(name, folder);
+    case Kind::Replaced:
+        //: %1 is the name of a file that is there, %2 its folder's
+        return tr("Replaces %1 in %2").arg(name, folder);
+    case Kind::First:
+        return tr("%1 and so on, in %2").arg(name, folder);
+    }
+    return {}; // not reached: every kind is above
 }
 
 void ExportPlaceRow::setPath(const QString &path, bool isFirst)
@@ -54,7 +63,7 @@ void ExportPlaceRow::setPath(const QString &path, bool isFirst)
     const QFileInfo file(path);
     m_name = file.fileName();
     m_folder = nameOf(file.dir());
-    m_isFirst = isFirst;
+    m_kind = isFirst ? Kind::First : file.isFile() ? Kind::Replaced : Kind::New;
     const QString whole = QDir::toNativeSeparators(path);
     m_words->setToolTip(whole);
     m_words->setAccessibleName(whole);
@@ -72,13 +81,13 @@ void ExportPlaceRow::refresh()
     layout()->activate();
     // Each loses its own middle, so that where one ends and the other begins stays to be read.
     const QFontMetrics metrics = m_words->fontMetrics();
-    const int room = m_words->width() - metrics.horizontalAdvance(textOf({}, {}, m_isFirst)) - 2;
+    const int room = m_words->width() - metrics.horizontalAdvance(textOf({}, {}, m_kind)) - 2;
     const int folder = metrics.horizontalAdvance(m_folder);
     const QString name =
         metrics.elidedText(m_name, Qt::ElideMiddle, room - std::min(folder, room / 2));
     const QString rest =
         metrics.elidedText(m_folder, Qt::ElideMiddle, room - metrics.horizontalAdvance(name));
-    m_words->setText(textOf(name, rest, m_isFirst));
+    m_words->setText(textOf(name, rest, m_kind));
 }
 
 } // namespace fff::ui

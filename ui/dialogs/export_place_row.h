@@ -20,7 +20,8 @@ public:
     /// "shelf.svg in Documents"
     static QString placeText(const QString &name, const QDir &folder);
 
-    /// isFirst: of several files, which follow it by number.
+    /// Says so where there is such a file.
+    /// isFirst  of several files, which follow it by number
     void setPath(const QString &path, bool isFirst);
 
 Q_SIGNALS:
@@ -30,11 +31,16 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    static QString textOf(const QString &name, const QString &folder, bool isFirst);
+    enum class Kind {
+        New,
+        Replaced, // by what is written
+        First,    // of several, which follow it by number
+    };
+    static QString textOf(const QString &name, const QString &folder, Kind kind);
     void refresh();
 
     QString m_name, m_folder;
-    bool m_isFirst = false;
+    Kind m_kind = Kind::New;
     QLabel *m_words = nullptr;
     LinkRow *m_change = nullptr;
 };

@@ -50,7 +50,7 @@ QString askForExport(QWidget *parent, const ExportKind &kind, const QString &sug
 {
     if (kind.isFolder)
         return askForWorkshopFolder(parent, suggestion);
-    FileDialog dialog(parent, ChosenPlaceTexts::tr("Export cutting files"),
+    FileDialog dialog(parent, ChosenPlaceTexts::tr("Export to"),
                       QFileInfo(suggestion).absolutePath(), kind.filter);
     const QString suffix = kind.format->suffix();
     dialog.setObjectName(QStringLiteral("exportFileDialog"));

@@ -35,8 +35,10 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
     if (there.isEmpty())
         return true;
     QMessageBox question(QMessageBox::NoIcon, ReplaceQuestionTexts::tr("Replace files"),
-                         ReplaceQuestionTexts::tr("Replace %n existing file(s)?", nullptr,
-                                                  static_cast<int>(there.size())),
+                         there.size() == 1
+                             ? ReplaceQuestionTexts::tr("Replace this file?")
+                             : ReplaceQuestionTexts::tr("Replace %n existing file(s)?", nullptr,
+                                                        static_cast<int>(there.size())),
                          QMessageBox::NoButton, &window);
     question.setObjectName(QStringLiteral("replaceQuestion"));
     QStringList named = there.mid(0, kMostNames);

@@ -142,7 +142,13 @@ void TestExportPlace::itsOwnFileIsReplacedUnasked()
 {
     save(QStringLiteral("shelf.fff"));
     for (int time = 0; time < 2; ++time) // a question would hang here
-        inExportPanel(*m_window, enter);
+        inExportPanel(*m_window, [&](QDialog *dialog) {
+            // That it is replaced can be seen all the same: its values may have been others.
+            QCOMPARE(shownPlace(dialog), (time == 0 ? QStringLiteral("shelf.svg in %1")
+                                                    : QStringLiteral("Replaces shelf.svg in %1"))
+                                             .arg(where()));
+            enter(dialog);
+        });
     QVERIFY(has(QStringLiteral("shelf.svg")));
     // As a file of another kind it is none of its own.
     put(QStringLiteral("shelf.dxf"), "mine");
@@ -285,13 +291,14 @@ void TestExportPlace::anotherPlaceIsKept()
     QVERIFY(has(QStringLiteral("shop/first.svg")));
     QVERIFY(!has(QStringLiteral("shelf.svg")));
     inExportPanel(*m_window, [&](QDialog *dialog) {
-        QCOMPARE(shownPlace(dialog), QStringLiteral("first.svg in shop"));
+        QCOMPARE(shownPlace(dialog), QStringLiteral("Replaces first.svg in shop"));
         // A name without its suffix gets it; the choice stands though it is not written yet.
         chooseFile(dialog, file(QStringLiteral("shop/second")));
         QCOMPARE(shownPlace(dialog), QStringLiteral("second.svg in shop"));
     });
     inExportPanel(*m_window, [&](QDialog *dialog) {
-        QCOMPARE(shownPlace(dialog), QStringLiteral("first.svg in shop")); // that was given up
+        // That was given up.
+        QCOMPARE(shownPlace(dialog), QStringLiteral("Replaces first.svg in shop"));
     });
 }
 
@@ -335,7 +342,7 @@ void TestExportPlace::everySheetIsNumbered()
         auto *box = dialog->findChild<QCheckBox *>(QStringLiteral("exportFilePerSheet"));
         if (!box->isChecked())
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, 8});
-        QVERIFY(shownPlace(dialog).startsWith(QStringLiteral("shelf-1.svg in ")));
+        QCOMPARE(shownPlace(dialog), QStringLiteral("Replaces shelf-1.svg in %1").arg(where()));
         if (!button.isEmpty())
             answer(button, &asked);
         QTest::mouseClick(exportButton(dialog), Qt::LeftButton);
