@@ -19,14 +19,21 @@ Message ringsSentence(const Finding &finding, const Model &model)
                     : FFF_TEXT("Checks", "%1 are joined in a ring: whichever goes in last has to "
                                          "slide onto two others at once."),
                 {namesOf(model, finding.sections)}};
-    return {
-        rings.hasSteps
-            ? FFF_TEXT_OF_MANY("Checks", "Sections are joined in %n rings: put them together in "
-                                         "the order of the steps.")
-            : FFF_TEXT_OF_MANY("Checks", "Sections are joined in %n rings: whichever of a ring "
-                                         "goes in last has to slide onto two others at once."),
-        {},
-        rings.count};
+    return {rings.hasSteps
+                ? FFF_TEXT_OF_MANY("Checks",
+                                   "Sections are joined in %n rings: put them together in "
+                                   "the order of the steps.")
+                : FFF_TEXT_OF_MANY("Checks", "Sections are joined in %n rings: whichever of a ring "
+                                             "goes in last has to slide onto two others at once."),
+            {},
+            rings.count};
+}
+
+Message ringsTitle(const Finding &finding)
+{
+    return {finding.details<Rings>()->count == 1 ? FFF_TEXT("Checks", "Joined in a ring")
+                                                 : FFF_TEXT("Checks", "Joined in rings"),
+            {}};
 }
 
 ProblemLook ringsLook(const Finding &finding)
@@ -38,8 +45,12 @@ ProblemLook ringsLook(const Finding &finding)
 
 } // namespace
 
-const FindingKind kRings{"cycle",       Subject::Joints, FFF_TEXT("Checks", "Joined in a ring"),
-                         ringsSentence, nullptr,         ringsLook};
+const FindingKind kRings{.name = "cycle",
+                         .subject = Subject::Joints,
+                         .title = FFF_TEXT("Checks", "Joined in a ring"),
+                         .sentence = ringsSentence,
+                         .look = ringsLook,
+                         .titled = ringsTitle};
 
 void findRings(const LookedAtPlan &at, std::vector<Finding> &found)
 {

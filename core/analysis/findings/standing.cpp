@@ -258,8 +258,8 @@ Message noContactSentence(const Finding &finding, const Model &model)
 Message belowGroundSentence(const Finding &finding, const Model &model)
 {
     return {finding.sections.size() == 1
-                ? FFF_TEXT("Checks", "Not on the ground. %1 reaches %2 below it.")
-                : FFF_TEXT("Checks", "Not on the ground. %1 reach up to %2 below it."),
+                ? FFF_TEXT("Checks", "In the ground. %1 reaches %2 below it.")
+                : FFF_TEXT("Checks", "In the ground. %1 reach up to %2 below it."),
             {namesOf(model, finding.sections), lengthOf(finding.details<Footing>()->height)}};
 }
 
@@ -446,7 +446,7 @@ const FindingKind kNoContact{.name = "noContact",
                              .advised = notOnGroundAdvice};
 const FindingKind kBelowGround{.name = "belowGround",
                                .subject = Subject::Stability,
-                               .title = FFF_TEXT("Checks", "Not on the ground"),
+                               .title = FFF_TEXT("Checks", "In the ground"),
                                .sentence = belowGroundSentence,
                                .actions = drop,
                                .look = footingLook,

@@ -231,7 +231,7 @@ void TestChecks::heightsInWords()
     QCOMPARE(textOf(at(12.5), kNoContact),
              QStringLiteral("Not on the ground. Its lowest point is 12.5 mm above it."));
     QCOMPARE(textOf(at(-3), kBelowGround),
-             QStringLiteral("Not on the ground. Section 1 and Rib reach up to 3 mm below it."));
+             QStringLiteral("In the ground. Section 1 and Rib reach up to 3 mm below it."));
 }
 
 void TestChecks::tooLargeParts()
