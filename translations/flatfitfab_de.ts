@@ -177,14 +177,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>Nicht auf dem Boden. %1 reicht %2 darunter.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>Nicht auf dem Boden. %1 reichen bis zu %2 darunter.</translation>
-    </message>
-    <message>
         <source>Stands. Tips only past %1. Margin %2.</source>
         <translation>Steht. Kippt erst über %1. Reserve %2.</translation>
     </message>
@@ -1463,6 +1455,22 @@
     <message>
         <source>Move one of them aside, or let it end before the other.</source>
         <translation>Rücke eine von ihnen beiseite oder lass sie vor der anderen enden.</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>In Ringen verbunden</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>Im Boden. %1 reicht %2 darunter.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>Im Boden. %1 reichen bis zu %2 darunter.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>Im Boden</translation>
     </message>
 </context>
 <context>
@@ -10099,6 +10107,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Ersetzt %1 in %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>dem Benutzerordner</translation>
     </message>
 </context>
 <context>

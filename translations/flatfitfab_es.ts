@@ -884,14 +884,6 @@
         <translation>No está en el suelo. Su punto más bajo queda %1 por encima.</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>No está en el suelo. %1 llega %2 por debajo.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>No está en el suelo. %1 llegan hasta %2 por debajo.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Dale otro pie o lleva peso sobre los que tiene.</translation>
     </message>
@@ -1463,6 +1455,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>Unidas en anillos</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>Dentro del suelo. %1 llega %2 por debajo.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>Dentro del suelo. %1 llegan hasta %2 por debajo.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>Dentro del suelo</translation>
     </message>
 </context>
 <context>
@@ -10099,6 +10107,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Reemplaza %1 en %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>la carpeta personal</translation>
     </message>
 </context>
 <context>

@@ -884,14 +884,6 @@
         <translation>Pas au sol. Son point le plus bas est à %1 du sol.</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>Pas au sol. %1 descend à %2 sous le sol.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>Pas au sol. %1 descendent jusqu’à %2 sous le sol.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Donnez-lui un pied de plus, ou déplacez du poids au-dessus de ses pieds.</translation>
     </message>
@@ -1463,6 +1455,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>Assemblées en anneaux</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>Dans le sol. %1 descend à %2 sous le sol.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>Dans le sol. %1 descendent jusqu’à %2 sous le sol.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>Dans le sol</translation>
     </message>
 </context>
 <context>
@@ -10099,6 +10107,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Remplace %1 dans %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>votre dossier personnel</translation>
     </message>
 </context>
 <context>

@@ -884,14 +884,6 @@
         <translation>Non poggia sul suolo. Il punto più basso è %1 più in alto.</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>Non poggia sul suolo. %1 arriva %2 più in basso.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>Non poggia sul suolo. %1 arrivano fino a %2 più in basso.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Aggiungi un altro piede o sposta del peso sopra i piedi.</translation>
     </message>
@@ -1463,6 +1455,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>Collegate ad anelli</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>Nel suolo. %1 arriva %2 più in basso.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>Nel suolo. %1 arrivano fino a %2 più in basso.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>Nel suolo</translation>
     </message>
 </context>
 <context>
@@ -10099,6 +10107,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Sostituisce %1 in %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>cartella personale</translation>
     </message>
 </context>
 <context>

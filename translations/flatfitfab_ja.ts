@@ -873,14 +873,6 @@
         <translation>地面に載っていない。いちばん低い点が地面より %1 上にあります。</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>地面に載っていない。%1 が地面より %2 下に出ています。</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>地面に載っていない。%1 が地面より最大 %2 下に出ています。</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>足をもう 1 本付けるか、重さを足の上へ移してください。</translation>
     </message>
@@ -1436,6 +1428,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>複数の輪になって接合</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>地面に埋まっている。%1 が地面より %2 下に出ています。</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>地面に埋まっている。%1 が地面より最大 %2 下に出ています。</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>地面に埋まっている</translation>
     </message>
 </context>
 <context>
@@ -9999,6 +10007,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>%2 の %1 を置き換えます</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>ホームフォルダー</translation>
     </message>
 </context>
 <context>

@@ -884,14 +884,6 @@
         <translation>Niet op de grond. Het laagste punt zit er %1 boven.</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>Niet op de grond. %1 steekt er %2 onder.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>Niet op de grond. %1 steken er tot %2 onder.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Geef het nog een voet, of verplaats gewicht tot boven de voeten.</translation>
     </message>
@@ -1463,6 +1455,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>In kringen verbonden</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>In de grond. %1 steekt er %2 onder.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>In de grond. %1 steken er tot %2 onder.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>In de grond</translation>
     </message>
 </context>
 <context>
@@ -10099,6 +10107,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Vervangt %1 in %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>de persoonlijke map</translation>
     </message>
 </context>
 <context>

@@ -895,14 +895,6 @@
         <translation>Nie stoi na podłożu. Najniższy punkt jest %1 nad nim.</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>Nie stoi na podłożu. %1 sięga %2 poniżej.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>Nie stoi na podłożu. %1 sięgają do %2 poniżej.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Dodaj stopkę albo przesuń ciężar nad stopki.</translation>
     </message>
@@ -1490,6 +1482,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>Połączone w pierścienie</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>W podłożu. %1 sięga %2 poniżej.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>W podłożu. %1 sięgają do %2 poniżej.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>W podłożu</translation>
     </message>
 </context>
 <context>
@@ -10199,6 +10207,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Zastępuje %1 w %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>domowym</translation>
     </message>
 </context>
 <context>

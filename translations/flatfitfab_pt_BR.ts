@@ -884,14 +884,6 @@
         <translation>Não está no chão. O ponto mais baixo fica %1 acima dele.</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>Não está no chão. %1 passa %2 abaixo dele.</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>Não está no chão. %1 passam até %2 abaixo dele.</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>Dê a ele mais um pé ou mova peso para cima dos pés.</translation>
     </message>
@@ -1463,6 +1455,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>Unidas em anéis</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>Dentro do chão. %1 passa %2 abaixo dele.</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>Dentro do chão. %1 passam até %2 abaixo dele.</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>Dentro do chão</translation>
     </message>
 </context>
 <context>
@@ -10099,6 +10107,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>Substitui %1 em %2</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>sua pasta pessoal</translation>
     </message>
 </context>
 <context>

@@ -873,14 +873,6 @@
         <translation>不在地面上。最低点离地面 %1。</translation>
     </message>
     <message>
-        <source>Not on the ground. %1 reaches %2 below it.</source>
-        <translation>不在地面上。%1 伸到了地面以下 %2。</translation>
-    </message>
-    <message>
-        <source>Not on the ground. %1 reach up to %2 below it.</source>
-        <translation>不在地面上。%1 伸到了地面以下，最深 %2。</translation>
-    </message>
-    <message>
         <source>Give it another foot, or move weight over its feet.</source>
         <translation>再加一个支脚，或把重量移到支脚上方。</translation>
     </message>
@@ -1436,6 +1428,22 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+    <message>
+        <source>Joined in rings</source>
+        <translation>连成几圈</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reaches %2 below it.</source>
+        <translation>陷入地面。%1 伸到了地面以下 %2。</translation>
+    </message>
+    <message>
+        <source>In the ground. %1 reach up to %2 below it.</source>
+        <translation>陷入地面。%1 伸到了地面以下，最深 %2。</translation>
+    </message>
+    <message>
+        <source>In the ground</source>
+        <translation>陷入地面</translation>
     </message>
 </context>
 <context>
@@ -9999,6 +10007,10 @@
         <source>Replaces %1 in %2</source>
         <extracomment>%1 is the name of a file that is there, %2 its folder&apos;s</extracomment>
         <translation>替换 %2 中的 %1</translation>
+    </message>
+    <message>
+        <source>your home folder</source>
+        <translation>主文件夹</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,8 @@ namespace {
 
 QString nameOf(const QDir &folder)
 {
+    if (folder == QDir::home()) // its name may be an account's
+        return ExportPlaceRow::tr("your home folder");
     return folder.isRoot() ? folder.path() : folder.dirName();
 }
 

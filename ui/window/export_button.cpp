@@ -12,6 +12,7 @@ ExportButton::ExportButton(QAction *exporting, QWidget *parent)
     : QPushButton(exporting->iconText(), parent)
 {
     setIconSize({18, 18});
+    setFocusPolicy(Qt::TabFocus); // as all of the bar: after a click keys are for the view
     const auto follow = [this, exporting] {
         setEnabled(exporting->isEnabled());
         setToolTip(exporting->toolTip());
