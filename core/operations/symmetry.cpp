@@ -20,14 +20,17 @@ using Unit = ParameterSpec::Unit;
 
 /// Two shapes in space are one image when they differ by no more, mm: frames and files round.
 constexpr double kSameImage = 1e-4;
+/// A section that is no farther from an image than this, mm, was drawn for it: by hand, in another
+/// program with a few digits, or as a copy that was moved there.
+constexpr double kDrawnForIt = 0.1;
 /// That one symmetry can be about, of a selection.
 constexpr int kMostSections = 500;
 
 /// Over a section of this size, mm, round a point of the second plane.
-bool isSamePlane(const Frame &a, const Frame &b, const Vec3 &point, double size)
+bool isSamePlane(const Frame &a, const Frame &b, const Vec3 &point, double size, double within)
 {
-    return size * a.normal().cross(b.normal()).norm() <= kSameImage &&
-           std::abs(a.height(point)) <= kSameImage;
+    return size * a.normal().cross(b.normal()).norm() <= within &&
+           std::abs(a.height(point)) <= within;
 }
 
 /// Whether the placement maps the section's plane to itself.
@@ -36,23 +39,23 @@ bool keepsPlane(const Section &section, const Similarity &placement)
     const Frame &frame = section.frame;
     const double size = section.shape->bounds().size().norm();
     const Frame image = placed(frame, placement);
-    return isSamePlane(frame, image, image.origin, size);
+    return isSamePlane(frame, image, image.origin, size, kSameImage);
 }
 
-/// The same region in space: planes, areas, middles and boxes agree.
-bool isSameImage(const Section &a, const Section &b)
+/// The same region in space: planes, areas, middles and boundaries agree, mm.
+bool isSameImage(const Section &a, const Section &b, double within = kSameImage)
 {
     const double size = a.shape->bounds().size().norm();
-    if (!isSamePlane(a.frame, b.frame, b.frame.toWorld(b.shape->centroid()), size))
+    if (!isSamePlane(a.frame, b.frame, b.frame.toWorld(b.shape->centroid()), size, within))
         return false;
-    if (std::abs(a.shape->area() - b.shape->area()) > kSameImage * (1.0 + size) ||
+    if (std::abs(a.shape->area() - b.shape->area()) > within * (1.0 + size) ||
         (a.frame.toWorld(a.shape->centroid()) - b.frame.toWorld(b.shape->centroid())).norm() >
-            kSameImage)
+            within)
         return false;
     // Of the boundary: every anchor of one lies on the other's.
     const auto isNear = [&](const Vec2 &p) {
         const Vec2 q = b.frame.toLocal(a.frame.toWorld(p));
-        return nearestPlace(b.shape->contour(), q).distance <= kSameImage;
+        return nearestPlace(b.shape->contour(), q).distance <= within;
     };
     for (int i = 0; i < a.shape->contour().segmentCount(); ++i)
         if (!isNear(a.shape->contour().segment(i).p0))
@@ -141,8 +144,9 @@ public:
     bool hasImage(const SectionPointer &section, const Similarity &placement) const
     {
         const Section image = imageOf(*section, placement);
-        return std::any_of(scope().begin(), scope().end(),
-                           [&](const SectionPointer &other) { return isSameImage(image, *other); });
+        return std::any_of(scope().begin(), scope().end(), [&](const SectionPointer &other) {
+            return isSameImage(image, *other, kDrawnForIt);
+        });
     }
 };
 

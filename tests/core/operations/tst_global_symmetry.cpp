@@ -66,6 +66,8 @@ class TestSymmetry : public QObject
 private Q_SLOTS:
     void oneSideStandsOnTheOther();
     void twiceIsTheIdentity();
+    void whatIsDrawnOnBothSidesStays_data();
+    void whatIsDrawnOnBothSidesStays();
     void symmetricShapesStayThemselves();
     void acrossASectionsPlane();
     void selectionOnly();
@@ -130,6 +132,29 @@ void TestSymmetry::twiceIsTheIdentity()
     const Model model = evaluate(single.document);
     const Section &back = *model.evaluation.results[1]->sections.front();
     QVERIFY(back.frame == model.find(single.leg)->frame);
+}
+
+void TestSymmetry::whatIsDrawnOnBothSidesStays_data()
+{
+    QTest::addColumn<double>("off");
+    QTest::addColumn<std::size_t>("copies"); // of the legs; the shoe has one
+    QTest::newRow("exact") << 0.0 << 0UL;
+    QTest::newRow("of a file with a few digits") << 0.003 << 0UL;
+    QTest::newRow("by hand") << 0.05 << 0UL;
+    QTest::newRow("elsewhere") << 0.5 << 2UL;
+}
+
+// Wrong: 14 doubles in a dinosaur whose legs were there on both sides, in the very places of
+// others.
+void TestSymmetry::whatIsDrawnOnBothSidesStays()
+{
+    QFETCH(double, off);
+    QFETCH(std::size_t, copies);
+    Beast beast;
+    add(beast.document, "Other leg",
+        shapeOf(polygonContour(rectangleAt(-10 + off, off, 20, 70 - off))),
+        sideFrame({-45 - off, 0, 0}), Parent{SectionRef(beast.body), {-45, 70}, {-45, 45}});
+    QCOMPARE(beast.with("mirror").sectionCount(), 5U + 1U + copies);
 }
 
 // Wrong: control points would be doubled each time a symmetric body is looked at.
