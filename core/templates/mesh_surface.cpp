@@ -1,5 +1,6 @@
 #include "core/templates/mesh_surface.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace fff {
@@ -123,6 +124,30 @@ MeshSurface surfaceOf(const TriangleMesh &mesh, const LongWork &work)
         maker.add(vertex);
     }
     return maker.take();
+}
+
+MeshSurface movedSurface(const MeshSurface &before, const TriangleMesh &mesh)
+{
+    const std::vector<Triangle> &triangles = mesh.triangles();
+    assert(before.indices.size() == 3 * triangles.size() && "a mesh of the same triangles");
+    const std::vector<Vec3> &positions = mesh.positions();
+    const Vec3 middle = 0.5 * (mesh.bounds().min + mesh.bounds().max);
+    std::vector<Vec3> normals(before.corners.size(), Vec3::Zero());
+    MeshSurface surface{std::vector<MeshSurface::Corner>(before.corners.size()), before.indices};
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+        const Triangle &t = triangles[f];
+        const Vec3 normal =
+            (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t corner = surface.indices[3 * f + c];
+            normals[corner] += normal;
+            surface.corners[corner].position = toFloats(positions[t[c]] - middle);
+        }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        if (const double length = normals[i].norm(); length > 0.0)
+            surface.corners[i].normal = toFloats(normals[i] / length);
+    return surface;
 }
 
 } // namespace fff

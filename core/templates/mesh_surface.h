@@ -28,4 +28,9 @@ struct MeshSurface
 /// vertices with few faces each. Empty when it was stopped.
 MeshSurface surfaceOf(const TriangleMesh &mesh, const LongWork &work = {});
 
+/// Of a mesh with the triangles of the one that `before` is of, whose vertices lie elsewhere: with
+/// the same corners, each the mean of its own faces, so that creases stay where they were. A small
+/// part of the cost of surfaceOf().
+MeshSurface movedSurface(const MeshSurface &before, const TriangleMesh &mesh);
+
 } // namespace fff

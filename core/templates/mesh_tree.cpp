@@ -1,5 +1,6 @@
 #include "core/templates/mesh_tree.h"
 
+#include <cassert>
 #include <limits>
 
 namespace fff {
@@ -59,8 +60,6 @@ Result<MeshTree> MeshTree::make(const TriangleMesh &mesh, const LongWork &work)
 {
     const std::vector<Vec3> &positions = mesh.positions();
     const std::vector<Triangle> &triangles = mesh.triangles();
-    MeshTree tree;
-    tree.m_middle = mesh.bounds().center();
     const double size = mesh.size();
     constexpr double kCells = 1 << kBitsAnAxis;
     const double scale = size > 0.0 ? kCells / size : 0.0;
@@ -83,25 +82,44 @@ Result<MeshTree> MeshTree::make(const TriangleMesh &mesh, const LongWork &work)
     work.tell(0.5);
     if (work.isStopped())
         return failure(ErrorCode::Cancelled);
-    tree.m_order.resize(places.size());
+    std::vector<std::uint32_t> order(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
-        tree.m_order[i] = places[i].face;
+        order[i] = places[i].face;
+    MeshTree tree;
+    tree.m_order = std::make_shared<const std::vector<std::uint32_t>>(std::move(order));
+    tree.fit(mesh);
+    work.tell(1.0);
+    return tree;
+}
 
-    std::vector<Box> leaves((places.size() + kLeafFaces - 1) / kLeafFaces);
+MeshTree MeshTree::refitted(const TriangleMesh &mesh) const
+{
+    assert(mesh.triangles().size() == m_order->size() && "a mesh of the same triangles");
+    MeshTree tree;
+    tree.m_order = m_order;
+    tree.fit(mesh);
+    return tree;
+}
+
+void MeshTree::fit(const TriangleMesh &mesh)
+{
+    m_middle = mesh.bounds().center();
+    m_levels.clear();
+    std::vector<Box> leaves((m_order->size() + kLeafFaces - 1) / kLeafFaces);
     for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
         Box3 box;
-        const std::size_t last = std::min(kLeafFaces * (leaf + 1), places.size());
+        const std::size_t last = std::min(kLeafFaces * (leaf + 1), m_order->size());
         for (std::size_t i = kLeafFaces * leaf; i < last; ++i)
-            for (const std::uint32_t corner : triangles[places[i].face])
-                box.extend(positions[corner]);
+            for (const std::uint32_t corner : mesh.triangles()[(*m_order)[i]])
+                box.extend(mesh.positions()[corner]);
         for (int axis = 0; axis < 3; ++axis) {
-            leaves[leaf].low[std::size_t(axis)] = roundedDown(box.min[axis] - tree.m_middle[axis]);
-            leaves[leaf].high[std::size_t(axis)] = roundedUp(box.max[axis] - tree.m_middle[axis]);
+            leaves[leaf].low[std::size_t(axis)] = roundedDown(box.min[axis] - m_middle[axis]);
+            leaves[leaf].high[std::size_t(axis)] = roundedUp(box.max[axis] - m_middle[axis]);
         }
     }
-    tree.m_levels.push_back(std::move(leaves));
-    while (tree.m_levels.back().size() > 1) {
-        const std::vector<Box> &below = tree.m_levels.back();
+    m_levels.push_back(std::move(leaves));
+    while (m_levels.back().size() > 1) {
+        const std::vector<Box> &below = m_levels.back();
         std::vector<Box> level((below.size() + kFanOut - 1) / kFanOut);
         for (std::size_t i = 0; i < level.size(); ++i) {
             level[i] = below[kFanOut * i];
@@ -112,10 +130,8 @@ Result<MeshTree> MeshTree::make(const TriangleMesh &mesh, const LongWork &work)
                     level[i].high[axis] = std::max(level[i].high[axis], below[j].high[axis]);
                 }
         }
-        tree.m_levels.push_back(std::move(level));
+        m_levels.push_back(std::move(level));
     }
-    work.tell(1.0);
-    return tree;
 }
 
 MeshTree::PlaneTest MeshTree::testOf(const CutPlane &plane) const
@@ -138,7 +154,7 @@ MeshTree::PlaneTest MeshTree::testOf(const CutPlane &plane) const
 
 std::size_t MeshTree::bytes() const
 {
-    std::size_t sum = m_order.size() * sizeof(std::uint32_t);
+    std::size_t sum = m_order->size() * sizeof(std::uint32_t);
     for (const std::vector<Box> &level : m_levels)
         sum += level.size() * sizeof(Box);
     return sum;

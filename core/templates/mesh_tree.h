@@ -6,7 +6,8 @@
 #include "core/templates/cut_plane.h"
 #include "core/templates/triangle_mesh.h"
 
-#include <span>
+#include <memory>
+#include <vector>
 
 namespace fff {
 
@@ -18,6 +19,11 @@ class MeshTree
 public:
     /// Of a mesh that outlives the tree. O(n). Errors  Cancelled.
     static Result<MeshTree> make(const TriangleMesh &mesh, const LongWork &work = {});
+
+    /// Of a mesh with the same triangles whose vertices lie elsewhere: in the order of this one,
+    /// which is shared, with boxes of their own. What is near in this mesh and far in that one has
+    /// larger boxes, and costs more than it meets. O(n), a small part of making one.
+    MeshTree refitted(const TriangleMesh &mesh) const;
 
     /// Calls visit(face) for each face of the mesh that may meet the plane, and for none twice:
     /// those that do, and some beside them.
@@ -54,6 +60,8 @@ private:
     static constexpr std::size_t kLeafFaces = 8, kFanOut = 4;
 
     PlaneTest testOf(const CutPlane &plane) const;
+    /// Boxes about the triangles, which are in order.
+    void fit(const TriangleMesh &mesh);
 
     /// Of boxes [first, end) of a level.
     template <class Visit>
@@ -69,15 +77,15 @@ private:
                        std::min(kFanOut * (i + 1), m_levels[level - 1].size()), test, visit);
                 continue;
             }
-            const std::size_t last = std::min(kLeafFaces * (i + 1), m_order.size());
+            const std::size_t last = std::min(kLeafFaces * (i + 1), m_order->size());
             for (std::size_t f = kLeafFaces * i; f < last; ++f)
-                visit(m_order[f]);
+                visit((*m_order)[f]);
         }
     }
 
     Vec3 m_middle = Vec3::Zero();
-    std::vector<std::uint32_t> m_order;     // faces
-    std::vector<std::vector<Box>> m_levels; // leaves first
+    std::shared_ptr<const std::vector<std::uint32_t>> m_order; // faces
+    std::vector<std::vector<Box>> m_levels;                    // leaves first
 };
 
 } // namespace fff

@@ -69,8 +69,8 @@ Result<PulledTemplates> pullTemplates(const Model &model, const PulledTemplates 
                             nullptr};
         if (work.isStopped())
             return failure(ErrorCode::Cancelled);
-        Result<TemplateMeshPointer> made = makeTemplateMesh(
-            magneticCut(mesh, *next.normals, next.planes), one->mesh->report, {work.stop, {}});
+        Result<TemplateMeshPointer> made = movedTemplateMesh(
+            *one->mesh, magneticCut(mesh, *next.normals, next.planes), {work.stop, {}});
         if (!made)
             return tl::unexpected(std::move(made.error()));
         next.mesh = *std::move(made);

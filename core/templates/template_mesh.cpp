@@ -1,7 +1,6 @@
 #include "core/templates/template_mesh.h"
 
 #include "core/base/tolerances.h"
-#include "core/templates/thinned_mesh.h"
 
 #include <algorithm>
 
@@ -15,13 +14,32 @@ Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshRepor
         return tl::unexpected(std::move(tree.error()));
     auto made = std::make_shared<TemplateMesh>();
     made->surface = surfaceOf(*mesh, work);
-    if (const TriangleMeshPointer coarse = thinned(mesh, kCoarseTriangles); coarse != mesh)
-        made->coarse = surfaceOf(*coarse, work);
+    made->thinning = std::make_shared<const ThinnedMesh>(mesh, kCoarseTriangles);
+    if (!made->thinning->isWhole())
+        made->coarse = surfaceOf(*made->thinning->mesh(), work);
     if (work.isStopped())
         return failure(ErrorCode::Cancelled);
     made->mesh = std::move(mesh);
     made->tree = *std::move(tree);
     made->report = std::move(report);
+    return made;
+}
+
+Result<TemplateMeshPointer> movedTemplateMesh(const TemplateMesh &original,
+                                              TriangleMeshPointer mesh, const LongWork &work)
+{
+    auto made = std::make_shared<TemplateMesh>();
+    made->tree = original.tree.refitted(*mesh);
+    if (work.isStopped())
+        return failure(ErrorCode::Cancelled);
+    made->surface = movedSurface(original.surface, *mesh);
+    if (work.isStopped())
+        return failure(ErrorCode::Cancelled);
+    made->thinning = original.thinning;
+    if (!made->thinning->isWhole())
+        made->coarse = movedSurface(original.coarse, *made->thinning->moved(mesh));
+    made->mesh = std::move(mesh);
+    made->report = original.report;
     return made;
 }
 

@@ -7,6 +7,7 @@
 #include "core/templates/mesh_surface.h"
 #include "core/templates/mesh_tree.h"
 #include "core/templates/placed_mesh.h"
+#include "core/templates/thinned_mesh.h"
 
 namespace fff {
 
@@ -20,6 +21,8 @@ struct TemplateMesh
     MeshReport report;
     MeshSurface surface; // as it is drawn,
     MeshSurface coarse;  // and in motion, of kCoarseTriangles about; empty: as the other
+    /// What that is of.
+    std::shared_ptr<const ThinnedMesh> thinning;
 
     Vec3 middle() const { return 0.5 * (mesh->bounds().min + mesh->bounds().max); }
 };
@@ -27,6 +30,11 @@ struct TemplateMesh
 /// Errors  Cancelled.
 Result<TemplateMeshPointer> makeTemplateMesh(TriangleMeshPointer mesh, MeshReport report,
                                              const LongWork &work = {});
+
+/// Of a mesh with the triangles of `original` whose vertices lie elsewhere: tree, creases and
+/// groups of vertices are those of the original. Errors  Cancelled.
+Result<TemplateMeshPointer> movedTemplateMesh(const TemplateMesh &original,
+                                              TriangleMeshPointer mesh, const LongWork &work = {});
 
 /// From the mesh's coordinates to the world.
 Similarity worldPlacement(const Template &one, const TemplateMesh &mesh);

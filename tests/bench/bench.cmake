@@ -24,3 +24,10 @@ if(TARGET fff::view) # its arrays need no display
     target_link_libraries(flatfitfab-bench PRIVATE fff::view)
     target_compile_definitions(flatfitfab-bench PRIVATE FFF_BENCH_VIEW)
 endif()
+
+# What a frame costs beside a large mesh; on whatever OpenGL there is.
+if(TARGET fff::view)
+    add_executable(frame_bench EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/frame_bench.cpp)
+    target_link_libraries(frame_bench PRIVATE fff::view fff::session Qt6::OpenGL)
+    target_precompile_headers(frame_bench REUSE_FROM fff_session)
+endif()

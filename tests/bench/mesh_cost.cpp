@@ -1,8 +1,13 @@
 #include "tests/bench/mesh_cost.h"
 
 #include "core/io/mesh_file.h"
+#include "core/model/operation_edits.h"
+#include "core/model/template_edits.h"
+#include "core/operations/evaluate.h"
+#include "core/operations/slices.h"
 #include "core/templates/guide_curve.h"
 #include "core/templates/magnetic_cut.h"
+#include "core/templates/template_mesh.h"
 #include "core/templates/vertex_normals.h"
 #include "tests/bench/growth_table.h"
 #include "tests/bench/stopwatch.h"
@@ -87,16 +92,42 @@ MeshCost meshCost(int rows, int columns, int runs)
     for (int i = 0; i < 4; ++i)
         magnets.push_back({planeAt(10 * i), 25.4});
     shortest(cost.magnetic, runs, [&] { return magneticCut(*mesh, normals, magnets); });
+    Template shown;
+    shown.file = "ring.stl";
+    shown.mesh = makeTemplateMesh(mesh, {}).value();
+    shortest(cost.pulled, runs,
+             [&] { return movedTemplateMesh(*shown.mesh, magneticCut(*mesh, normals, magnets)); });
+    const TemplateMeshPointer pulled =
+        movedTemplateMesh(*shown.mesh, magneticCut(*mesh, normals, magnets)).value();
+    shortest(cost.pulledCut, runs, [&] {
+        std::size_t points = 0;
+        for (int i = 0; i < kMovedPlanes; ++i)
+            for (const CutLoop &loop : planeCut(*pulled->mesh, planeAt(i), &pulled->tree).loops)
+                points += loop.points.size();
+        return points;
+    });
+    cost.pulledCut /= kMovedPlanes;
+    Document document =
+        addTemplate(newDocument(), stood(shown, *shown.mesh, UpAxis::Y, 250.0)).value();
+    Operation slices = newOperation(kSlices);
+    slices.subject = document.templates.front()->id;
+    slices.parameters.insert_or_assign("direction", std::string("x"));
+    slices.parameters.insert_or_assign("count", 100.0);
+    document = addOperation(std::move(document), std::move(slices));
+    shortest(cost.slices, runs, [&] { return evaluate(document).sectionCount(); });
     return cost;
 }
 
-constexpr std::array<GrowthColumn<MeshCost>, 7> kMeshColumns{{{"STL", &MeshCost::stl},
-                                                              {"OBJ", &MeshCost::obj},
-                                                              {"first cut", &MeshCost::first},
-                                                              {"tree", &MeshCost::tree},
-                                                              {"cut", &MeshCost::cut},
-                                                              {"guide", &MeshCost::guide},
-                                                              {"magnetic", &MeshCost::magnetic}}};
+constexpr std::array<GrowthColumn<MeshCost>, 10> kMeshColumns{{{"STL", &MeshCost::stl},
+                                                               {"OBJ", &MeshCost::obj},
+                                                               {"first cut", &MeshCost::first},
+                                                               {"tree", &MeshCost::tree},
+                                                               {"cut", &MeshCost::cut},
+                                                               {"guide", &MeshCost::guide},
+                                                               {"magnetic", &MeshCost::magnetic},
+                                                               {"pulled", &MeshCost::pulled},
+                                                               {"its cut", &MeshCost::pulledCut},
+                                                               {"100 slices", &MeshCost::slices}}};
 
 } // namespace
 

@@ -21,7 +21,10 @@ struct MeshCost
     double cut = 0.0;      // a cut through these, as the plane moves
     double guide = 0.0;    // of its loops as contours
     double magnetic = 0.0; // drawn to four sections
-    double kernel = 0.0;   // as in Measurement
+    double pulled = 0.0; // the same with all that is cut and drawn of it, where it was known before
+    double pulledCut = 0.0; // a cut of that as the plane moves
+    double slices = 0.0;    // a hundred slices as sections, from the document to the model
+    double kernel = 0.0;    // as in Measurement
 };
 
 /// Rings of some 62,500, 250,000 and 1,000,000 triangles, and one of 100,000.

@@ -10,6 +10,38 @@
 using namespace fff;
 using namespace fff::test;
 
+namespace {
+
+/// Each face that meets a plane once, and none twice.
+void findsAll(const MeshTree &tree, const TriangleMesh &mesh)
+{
+    std::mt19937 random(4);
+    std::normal_distribution<double> direction;
+    std::uniform_int_distribution<std::size_t> vertex(0, mesh.positions().size() - 1);
+    for (int i = 0; i < 300; ++i) {
+        Vec3 normal(direction(random), direction(random), direction(random));
+        if (i % 4 == 0)
+            normal = Vec3::Unit(i / 4 % 3);
+        // Through a vertex, where only the exact side says that it is met.
+        const CutPlane plane = makeCutPlane(mesh.positions()[vertex(random)], normal).value();
+        std::vector<int> found(mesh.triangles().size(), 0);
+        tree.meeting(plane, [&found](std::uint32_t face) { ++found[face]; });
+        const PlaneSides sides(plane);
+        for (std::size_t f = 0; f < found.size(); ++f) {
+            QVERIFY(found[f] <= 1);
+            int low = 1, high = -1;
+            for (const std::uint32_t corner : mesh.triangles()[f]) {
+                low = std::min(low, sides.of(mesh.positions()[corner]));
+                high = std::max(high, sides.of(mesh.positions()[corner]));
+            }
+            if (low <= 0 && high >= 0)
+                QVERIFY(found[f] == 1);
+        }
+    }
+}
+
+} // namespace
+
 class TestMeshTree : public QObject
 {
     Q_OBJECT
@@ -17,6 +49,8 @@ class TestMeshTree : public QObject
 private Q_SLOTS:
     void allThatMeetAreFound_data();
     void allThatMeetAreFound();
+    void movedVerticesAreFound_data() { allThatMeetAreFound_data(); }
+    void movedVerticesAreFound();
     void costsWhatItMeets();
 };
 
@@ -41,29 +75,33 @@ void TestMeshTree::allThatMeetAreFound()
 {
     QFETCH(const MeshDraft, draft);
     const TriangleMeshPointer mesh = meshOf(draft);
+    findsAll(MeshTree::make(*mesh).value(), *mesh);
+}
+
+// Wrong: guides of a mesh that magnets pull have gaps, or are those of the mesh before.
+void TestMeshTree::movedVerticesAreFound()
+{
+    QFETCH(const MeshDraft, draft);
+    const TriangleMeshPointer mesh = meshOf(draft);
     const MeshTree tree = MeshTree::make(*mesh).value();
-    std::mt19937 random(4);
-    std::normal_distribution<double> direction;
-    std::uniform_int_distribution<std::size_t> vertex(0, mesh->positions().size() - 1);
-    for (int i = 0; i < 300; ++i) {
-        Vec3 normal(direction(random), direction(random), direction(random));
-        if (i % 4 == 0)
-            normal = Vec3::Unit(i / 4 % 3);
-        // Through a vertex, where only the exact side says that it is met.
-        const CutPlane plane = makeCutPlane(mesh->positions()[vertex(random)], normal).value();
-        std::vector<int> found(mesh->triangles().size(), 0);
-        tree.meeting(plane, [&found](std::uint32_t face) { ++found[face]; });
-        const PlaneSides sides(plane);
-        for (std::size_t f = 0; f < found.size(); ++f) {
-            QVERIFY(found[f] <= 1);
-            int low = 1, high = -1;
-            for (const std::uint32_t corner : mesh->triangles()[f]) {
-                low = std::min(low, sides.of(mesh->positions()[corner]));
-                high = std::max(high, sides.of(mesh->positions()[corner]));
-            }
-            if (low <= 0 && high >= 0)
-                QVERIFY(found[f] == 1);
-        }
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> way(-1.0, 1.0);
+    TriangleMeshPointer last;
+    for (const double much : {0.0, 0.001, 0.1, 3.0}) { // of the size of the mesh
+        std::vector<Vec3> positions = mesh->positions();
+        for (Vec3 &p : positions)
+            p += much * mesh->size() * Vec3(way(random), way(random), way(random));
+        last = std::make_shared<TriangleMesh>(std::move(positions), mesh->triangles());
+        findsAll(tree.refitted(*last), *last);
+    }
+    // What a refitted one is refitted to does not hang on where it was before.
+    const MeshTree there = tree.refitted(*last), back = there.refitted(*mesh);
+    for (int axis = 0; axis < 3; ++axis) {
+        const CutPlane plane{mesh->centroid(), Vec3::Unit(axis)};
+        std::vector<std::uint32_t> once, again;
+        tree.meeting(plane, [&once](std::uint32_t face) { once.push_back(face); });
+        back.meeting(plane, [&again](std::uint32_t face) { again.push_back(face); });
+        QCOMPARE(again, once);
     }
 }
 

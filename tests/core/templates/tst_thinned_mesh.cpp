@@ -39,6 +39,7 @@ private Q_SLOTS:
     void smallOnesStay();
     void aBallIsSmoothAndACubeIsNot();
     void faceOrderAndManyFacesAtAPoint();
+    void movedOnesAreTheSameElsewhere();
     void howAMeshComesIn();
     void cutsAreWhereTheTemplateIs();
 };
@@ -100,6 +101,54 @@ void TestThinnedMesh::faceOrderAndManyFacesAtAPoint()
                 const Vec3 &wanted = mesh->positions()[mesh->triangles()[f][c]];
                 QVERIFY((at + middle - wanted).norm() < 1e-3);
             }
+    }
+}
+
+// Wrong: what a magnet pulls is drawn where it was, or comes apart into other corners.
+void TestThinnedMesh::movedOnesAreTheSameElsewhere()
+{
+    const auto at = [](const MeshSurface::Corner &corner) {
+        return Vec3(corner.position[0], corner.position[1], corner.position[2]);
+    };
+    for (const MeshDraft &draft : {cube(10.0), sphere(50.0, 20, 400), head(200, 300)}) {
+        const TriangleMeshPointer mesh = shownMesh(draft);
+        const TemplateMeshPointer whole = makeTemplateMesh(mesh, {}).value();
+        // Turned, larger and elsewhere: surfaces that go along with the mesh.
+        const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+        std::vector<Vec3> positions;
+        for (const Vec3 &p : mesh->positions())
+            positions.push_back(Vec3(3.0, -70.0, 11.0) + 1.5 * (turn * p));
+        const TemplateMeshPointer moved =
+            movedTemplateMesh(*whole, std::make_shared<TriangleMesh>(positions, mesh->triangles()))
+                .value();
+        for (const bool isCoarse : {false, true}) {
+            const MeshSurface &was = isCoarse ? whole->coarse : whole->surface,
+                              &is = isCoarse ? moved->coarse : moved->surface;
+            QCOMPARE(is.indices, was.indices);
+            QCOMPARE(is.corners.size(), was.corners.size());
+            if (is.corners.empty())
+                continue;
+            for (std::size_t i = 0; i < is.corners.size(); ++i) {
+                const Vec3 way = at(is.corners[i]) - at(is.corners[0]);
+                const Vec3 before = at(was.corners[i]) - at(was.corners[0]);
+                QVERIFY((way - 1.5 * (turn * before)).norm() < 1e-4 * mesh->size());
+                const auto &n = is.corners[i].normal, &m = was.corners[i].normal;
+                const Vec3 normal(n[0], n[1], n[2]), wanted = turn * Vec3(m[0], m[1], m[2]);
+                // Of creases their own faces only: elsewhere it is the very normal.
+                QVERIFY(normal.norm() == 0.0 || normal.dot(wanted) > std::cos(kCreaseAngle));
+            }
+        }
+        QVERIFY(moved->coarse.corners.empty() == (mesh->triangles().size() <= kCoarseTriangles));
+        // In place, the surface of one without creases is what it was.
+        if (whole->surface.corners.size() == mesh->positions().size()) {
+            const MeshSurface same = movedSurface(whole->surface, *mesh);
+            for (std::size_t i = 0; i < same.corners.size(); ++i)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    QCOMPARE(same.corners[i].position[k], whole->surface.corners[i].position[k]);
+                    QVERIFY(std::abs(same.corners[i].normal[k] -
+                                     whole->surface.corners[i].normal[k]) < 1e-5F);
+                }
+        }
     }
 }
 
