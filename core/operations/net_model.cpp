@@ -18,6 +18,8 @@ constexpr double kDash = 3.0, kGap = 2.0;
 constexpr double kLeastNumber = 2.0, kMostNumber = 4.0, kNumberOfSeam = 0.25, kLeastSeam = 5.0;
 /// From a seam to its number, in heights.
 constexpr double kNumberGap = 0.6;
+/// What is left of the sheet between parts of a net beside what the cut takes away, mm.
+constexpr double kNetGap = 0.2;
 
 void addLine(const Vec2 &from, const Vec2 &to, std::vector<CurvePath> &paths)
 {
@@ -139,7 +141,8 @@ Result<NetModel> netModel(Document document, const TriangleMesh &mesh, const std
     if (facets.size() > kMostFacets)
         return failure(ErrorCode::BadCount, name,
                        {std::to_string(facets.size()), std::to_string(kMostFacets)});
-    const NetOptions options{stock.sheet - Vec2::Constant(2.0 * kNetMargin), flap};
+    const NetOptions options{stock.sheet - Vec2::Constant(2.0 * kNetMargin), flap,
+                             stock.kerf + kNetGap};
     const Result<std::vector<MeshNet>> nets = meshNets(mesh, facets, options, work);
     if (!nets)
         return tl::unexpected(nets.error());

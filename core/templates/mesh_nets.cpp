@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/templates/net_gap.h"
 #include "core/templates/unfolding.h"
 
 #include <algorithm>
@@ -26,10 +27,11 @@ double lengthOf(const NetLine &line)
 class Sheet
 {
 public:
-    explicit Sheet(const Vec2 &room) : m_room(room) {}
+    explicit Sheet(const NetOptions &options) : m_room(options.room), m_gap(options.gap) {}
 
-    /// Adds what lies beside it along a line of that length and nowhere else. False: it would not.
-    Result<bool> add(const std::vector<Polygon> &rings, double shared);
+    /// Adds what lies beside it along that line and nowhere else; null: the first. False: it would
+    /// not.
+    Result<bool> add(const std::vector<Polygon> &rings, const NetLine *fold);
     bool isEmpty() const { return m_rings.empty(); }
     const std::vector<Polygon> &rings() const { return m_rings; } // the outer one first
 
@@ -37,6 +39,7 @@ private:
     bool hasRoomFor(const std::vector<Polygon> &rings) const;
 
     Vec2 m_room;
+    double m_gap;
     std::vector<Polygon> m_rings;
     double m_area = 0.0, m_perimeter = 0.0;
 };
@@ -69,8 +72,9 @@ bool Sheet::hasRoomFor(const std::vector<Polygon> &rings) const
            (size.x() <= m_room.y() && size.y() <= m_room.x());
 }
 
-Result<bool> Sheet::add(const std::vector<Polygon> &rings, double shared)
+Result<bool> Sheet::add(const std::vector<Polygon> &rings, const NetLine *fold)
 {
+    const double shared = fold ? lengthOf(*fold) : 0.0;
     if (!m_rings.empty() && !hasRoomFor(rings))
         return false;
     std::vector<Contour> contours;
@@ -96,6 +100,8 @@ Result<bool> Sheet::add(const std::vector<Polygon> &rings, double shared)
     const double slack = 2.0 * kCoplanarDepth;
     if (std::abs(perimeter - wanted) > slack ||
         std::abs(area - m_area - areaOf(rings)) > kMinArea + kClipSlack * perimeter)
+        return false;
+    if (fold && !keepsGap(m_rings, rings, *fold, m_gap))
         return false;
     m_rings = std::move(all);
     m_area = area;
@@ -153,7 +159,7 @@ Result<bool> Netter::attach(const Hinge &hinge, GrowingNet &net)
     m_unfolding.placeBeyond(hinge);
     const std::vector<Polygon> &rings = m_unfolding.rings(hinge.beyond);
     const NetLine line = m_unfolding.lineOf(hinge);
-    const Result<bool> added = net.sheet.add(rings, lengthOf(line));
+    const Result<bool> added = net.sheet.add(rings, &line);
     if (added && *added)
         net.net.folds.push_back({line, m_unfolding.isValley(hinge)});
     return added;
@@ -162,7 +168,7 @@ Result<bool> Netter::attach(const Hinge &hinge, GrowingNet &net)
 Result<void> Netter::grow(std::size_t first, const LongWork &work)
 {
     const int number = static_cast<int>(m_nets.size());
-    GrowingNet net{Sheet(m_options.room), {}};
+    GrowingNet net{Sheet(m_options), {}};
     std::priority_queue<Candidate> waiting;
     const auto take = [&](std::size_t facet) {
         m_netOf[facet] = number;
@@ -172,7 +178,7 @@ Result<void> Netter::grow(std::size_t first, const LongWork &work)
         work.tell(static_cast<double>(++m_placed) / static_cast<double>(m_netOf.size()));
     };
     m_unfolding.place(first);
-    const Result<bool> began = net.sheet.add(m_unfolding.rings(first), 0.0);
+    const Result<bool> began = net.sheet.add(m_unfolding.rings(first), nullptr);
     if (!began)
         return tl::unexpected(began.error());
     m_netOf[first] = number;
@@ -227,7 +233,7 @@ Result<bool> Netter::addFlap(const NetLine &seam, GrowingNet &net)
     const Vec2 along = (seam.to - seam.from) / length, out = -perpendicular(along);
     const Polygon flap{seam.to, seam.from, seam.from + width * (out + along),
                        seam.to + width * (out - along)};
-    const Result<bool> added = net.sheet.add({flap}, length);
+    const Result<bool> added = net.sheet.add({flap}, &seam);
     if (added && *added)
         net.net.folds.push_back({seam, false});
     return added;

@@ -46,14 +46,16 @@ struct NetOptions
 {
     Vec2 room = Vec2(600.0, 400.0); // mm, what a net has to lie in, this way or the other way round
     double flap = 0.0;              // mm, width of the flaps to glue; 0: none
+    double gap = 0.0; // mm, that parts of a net keep from each other: what a cut takes away
 };
 
 /// The facets of a mesh, unfolded: beginning with the largest, each is laid beside one that is
 /// there already, over the longest edge that they share, as long as nothing comes to lie on, or
 /// along, something else and the net keeps to the room; what has no place begins another net. A
 /// facet that is too large for the room is a net by itself. One of the two edges of a seam has a
-/// flap where there is room for it. Facets are within kCoplanarDepth of flat, and so are edges that
-/// are laid together.
+/// flap where there is room for it. Parts of a net keep the gap from each other (net_gap.h), as the
+/// cut between them takes so much away. Facets are within kCoplanarDepth of flat, and so are edges
+/// that are laid together.
 ///
 /// mesh    coordinates in mm, outwards as its triangles are wound; facets are its meshFacets()
 /// Errors  Cancelled; NotWorkedOut when Clipper fails

@@ -11,6 +11,7 @@ target_sources(fff_core PRIVATE
     templates/mesh_edges.cpp
     templates/mesh_facets.cpp
     templates/mesh_nets.cpp
+    templates/net_gap.cpp
     templates/mesh_report.cpp
     templates/mesh_surface.cpp
     templates/mesh_tree.cpp
