@@ -13,8 +13,8 @@ struct LoadedMesh
     std::string bytes; // of the file, of readMesh() alone
 };
 
-/// Largest file of a mesh, bytes: one of 50 million triangles in most formats.
-inline constexpr std::int64_t kMostMeshBytes = std::int64_t(3) << 30;
+/// Largest file of a mesh, bytes: one of kMostTriangles in most formats.
+inline constexpr std::int64_t kMostMeshBytes = std::int64_t(3) << 29;
 
 /// Reads and mends a mesh of whatever format. Before all of the file is read, its first bytes have
 /// to be those of a mesh, and of one that is not too large. `options.name`, where it is empty, is

@@ -14,8 +14,9 @@ namespace fff {
 /// Corners by their index, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What a mesh may have at most where nobody says otherwise: 50 million triangles take 1.5 GB.
-inline constexpr std::size_t kMostTriangles = 50'000'000;
+/// What a mesh may have at most where nobody says otherwise: of so many a computer with 4 GB can
+/// have the file, the mesh, its tree and what is drawn of it at once.
+inline constexpr std::size_t kMostTriangles = 10'000'000;
 /// A coordinate beyond this is as good as none: products of three of them stay exact enough.
 inline constexpr double kMostMeshCoordinate = 1e12;
 

@@ -9,6 +9,9 @@
 #include "tests/one_line.h"
 #include "tests/test_program.h"
 
+#include <QFile>
+#include <QTemporaryDir>
+
 #include <random>
 
 using namespace fff;
@@ -40,6 +43,8 @@ class TestBrokenMeshes : public QObject
 private Q_SLOTS:
     void saidClearly_data();
     void saidClearly();
+    void tooLargeIsNotRead_data();
+    void tooLargeIsNotRead();
     void anyPrefixAndAnyByte_data();
     void anyPrefixAndAnyByte();
 };
@@ -71,7 +76,7 @@ void TestBrokenMeshes::saidClearly_data()
         "a.stl:byte 684: the file ends here");
     row("STL that claims too many", "a.stl",
         std::string(stl).replace(80, 4, bytesOf(std::uint32_t(4'000'000'000))),
-        "a.stl: found 4000000000 triangles, expected at most 50000000 triangles");
+        "a.stl: found 4000000000 triangles, expected at most 10000000 triangles");
     row("STL without a triangle", "a.stl", stl.substr(0, 80) + bytesOf(std::uint32_t(0)),
         "a.stl: found nothing, expected a mesh with at least one triangle");
     row("STL text without a triangle", "a.stl", "solid\nendsolid\n",
@@ -142,7 +147,7 @@ void TestBrokenMeshes::saidClearly_data()
         "a.ply:byte");
     row("PLY that claims too many", "a.ply",
         brokenWith(ply, "element face 12", "element face 60000000"),
-        "a.ply: found 60000000 triangles, expected at most 50000000 triangles");
+        "a.ply: found 60000000 triangles, expected at most 10000000 triangles");
     row("PLY with vertices that are not there", "a.ply",
         brokenWith(plyRaw, "element vertex 8", "element vertex 9999999"),
         "a.ply:byte 244: found 9999999 vertices");
@@ -225,6 +230,58 @@ void TestBrokenMeshes::saidClearly()
     QVERIFY2(text.startsWith(sentence), qPrintable(text));
     QVERIFY2(isOneLine(text), qPrintable(text));
     QVERIFY(text.size() > name.size() + 10);
+}
+
+void TestBrokenMeshes::tooLargeIsNotRead_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("head");
+    QTest::addColumn<qint64>("size");
+    QTest::addColumn<QString>("sentence");
+    constexpr std::uint32_t kFiftyMillion = 50'000'000;
+    QTest::newRow("STL of 50 million triangles")
+        << QStringLiteral("a.stl")
+        << QByteArray::fromStdString(std::string(80, ' ') + bytesOf(kFiftyMillion))
+        << qint64(84) + qint64(50) * kFiftyMillion
+        << QStringLiteral("a.stl: found 50000000 triangles, expected at most 10000000 triangles");
+    QTest::newRow("PLY of 50 million triangles")
+        << QStringLiteral("a.ply")
+        << QByteArray("ply\nformat binary_little_endian 1.0\nelement vertex 25000000\n"
+                      "property float x\nproperty float y\nproperty float z\n"
+                      "element face 50000000\nproperty list uchar int vertex_indices\n"
+                      "end_header\n")
+        << qint64(950'000'200)
+        << QStringLiteral("a.ply: found 50000000 triangles, expected at most 10000000 triangles");
+    QTest::newRow("OBJ of 50 million triangles")
+        << QStringLiteral("a.obj") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        << qint64(2'000'000'000) << QStringLiteral("a.obj: found 2000000000 bytes, expected at");
+}
+
+// Wrong: a scan that is larger than the machine swaps it to death before anything is said.
+void TestBrokenMeshes::tooLargeIsNotRead()
+{
+    QFETCH(const QString, name);
+    QFETCH(const QByteArray, head);
+    QFETCH(const qint64, size);
+    QFETCH(const QString, sentence);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(name);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(head);
+    if (!file.resize(size)) // with a hole, which takes no room
+        QSKIP("no room for such a file, nor for a hole in it");
+    file.close();
+    io::MeshOptions options;
+    options.name = name.toStdString();
+    // Nothing behind the head is read of what is refused: no progress is told.
+    int asked = 0;
+    options.work.progress = [&asked](double) { ++asked; };
+    const Result<io::LoadedMesh> loaded = io::readMesh(path, options);
+    QVERIFY(!loaded);
+    const QString text = io::errorText(loaded.error());
+    QVERIFY2(text.startsWith(sentence), qPrintable(text));
+    QCOMPARE(asked, 0);
 }
 
 void TestBrokenMeshes::anyPrefixAndAnyByte_data()
