@@ -28,8 +28,8 @@ Operation askedSlices(const QCommandLineParser &parser, const Verb &verb,
     if (parser.isSet(QStringLiteral("along"))) {
         const QString text = parser.value(QStringLiteral("along"));
         const std::string key = text.toLower().toStdString();
-        // What runs along a curve needs one that is drawn.
-        if (key == "curve" || !isAllowed(direction, key)) {
+        // What runs along a curve, or is like a section, needs one that is drawn.
+        if (key == "curve" || key == "section" || !isAllowed(direction, key)) {
             status = wrongUse(verb, tr("--along: found \"%1\", expected X, Y, Z, XY, XZ, YZ or "
                                        "radial.")
                                         .arg(text));

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fff {
@@ -23,6 +24,10 @@ constexpr int kMostPlanes = 500; // of one direction
 /// As this version of the operation makes them, planes of a grid keep off the template's ends, and
 /// what is thin all over is no section.
 constexpr int kKeepsOffEnds = 2;
+/// As this version makes them, a hollow section keeps a wall along each line in which another one
+/// crosses it. Two rings that cross in two walls each can be put together by no way: one wall would
+/// have to go through the other.
+constexpr int kWallsAtCrossings = 3;
 /// In a grid, the sections across go on beyond the outermost plane by that much at least, as times
 /// the thickness of the sheet, counted from the middle of the slit: what is left beside the slit is
 /// as wide as the sheet is thick. Where the template ends in a steep wall, less would be prongs.
@@ -87,22 +92,28 @@ public:
 private:
     /// mm, of a plane of a grid from the end of the template.
     double leastEnd() const;
+    SlicePlanes across(char key, const Frame &base, double low, double high);
     SlicePlanes across(int axis);
-    SlicePlanes around() const;
-    void cut(const SlicePlanes &planes);
+    SlicePlanes like(const Section &section);
+    SlicePlanes around(int axis) const;
+    /// crossing: planes of sections that slide into these.
+    void cut(const SlicePlanes &planes, const std::vector<Frame> &crossing = {});
     void cutAlong(const Section &spine);
     /// The piece of a plane that is this loop without those that are holes in it. False: too small.
     bool addPiece(char direction, int plane, int piece, const Frame &frame,
                   const std::vector<TemplateLoop> &loops, std::size_t outer);
     void add(const std::string &key, std::string name, const Frame &frame,
              const TemplateLoop &outer, const std::vector<const TemplateLoop *> &holes);
-    void hollow(const Contour &contour, std::vector<Contour> &holes) const;
+    void hollow(const Frame &frame, const Contour &contour, std::vector<Contour> &holes) const;
+    /// A room less the walls along the lines in which others cross the plane.
+    std::vector<Contour> roomsBetween(const Frame &frame, Contour room) const;
     bool isThin(const TemplateLoop &outer) const;
 
     OperationContext &m_context;
     const Template &m_subject;
     const Box3 m_bounds;
-    const double m_thickness; // of the sheet, mm
+    const double m_thickness;      // of the sheet, mm
+    std::vector<Frame> m_crossing; // those that slide into what is cut now
     int m_made = 0, m_slivers = 0, m_failed = 0;
     int m_atEnds = 0; // planes that are left out
 };
@@ -113,13 +124,35 @@ double Slicer::leastEnd() const
     return isGrid && m_context.operation().version >= kKeepsOffEnds ? kLeastEnd * m_thickness : 0.0;
 }
 
-/// As many as asked for, or as fit; always evenly about the middle of the template. In a grid they
-/// move together as far as they have to keep off its ends; one that is shifted there is left out.
 SlicePlanes Slicer::across(int axis)
 {
-    const double size = m_bounds.size()[axis], end = leastEnd();
+    return across("xyz"[axis], frameAcross(axis), m_bounds.min[axis], m_bounds.max[axis]);
+}
+
+/// Parallel to its plane, its axes the same.
+SlicePlanes Slicer::like(const Section &section)
+{
+    Frame base = section.frame;
+    const Vec3 normal = base.normal();
+    const Similarity placement = worldPlacement(m_subject, *m_subject.mesh);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3 &p : m_subject.mesh->mesh->positions()) {
+        const double height = normal.dot(placement(p));
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    return across('s', base, low, high);
+}
+
+/// As many as asked for, or as fit; always evenly about the middle of the template. In a grid they
+/// move together as far as they have to keep off its ends; one that is shifted there is left out.
+/// low, high: along the normal, what the template reaches over.
+SlicePlanes Slicer::across(char key, const Frame &base, double low, double high)
+{
+    const double size = high - low, end = leastEnd();
     const double room = std::max(size - 2.0 * end, 0.0);
-    const double middle = 0.5 * (m_bounds.min[axis] + m_bounds.max[axis]);
+    const Vec3 normal = base.normal(), centre = 0.5 * (m_bounds.min + m_bounds.max);
+    const double middle = 0.5 * (low + high) - normal.dot(centre);
     const bool isByCount = m_context.choice("planesBy") == "count";
     const double spacing = m_context.number("spacing");
     int count = m_context.count("count");
@@ -133,12 +166,10 @@ SlicePlanes Slicer::across(int axis)
     }
     const double even = count > 1 ? std::min(size / count, room / (count - 1)) : size;
     const double step = isByCount ? even : spacing;
-    SlicePlanes planes{"xyz" [axis], {}};
+    SlicePlanes planes{key, {}};
     for (int i = 0; i < count; ++i) {
-        Frame frame = frameAcross(axis);
-        frame.origin = 0.5 * (m_bounds.min + m_bounds.max);
         const double off = (i - 0.5 * (count - 1) + m_context.number("shift")) * step;
-        frame.origin[axis] = middle + off;
+        const Frame frame{centre + (middle + off) * normal, base.x, base.y};
         if (end > 0.0 && count > 1 && std::abs(off) > 0.5 * room + kClipSlack) {
             ++m_atEnds;
             planes.first += planes.frames.empty() ? 1 : 0;
@@ -149,22 +180,52 @@ SlicePlanes Slicer::across(int axis)
     return planes;
 }
 
-/// Through the upright axis in the middle, over half a turn.
-SlicePlanes Slicer::around() const
+/// Through an axis in the middle, over half a turn.
+SlicePlanes Slicer::around(int axis) const
 {
     const int count = m_context.count("count");
+    // Of the upright one x begins along X and turns to −Z; the others go round alike.
+    const Vec3 y = Vec3::Unit(axis), x = Vec3::Unit((axis + 2) % 3), back = x.cross(y);
     SlicePlanes planes{'r', {}};
     for (int i = 0; i < count; ++i) {
         const double angle = std::numbers::pi * (i + m_context.number("shift")) / count;
-        planes.frames.push_back({0.5 * (m_bounds.min + m_bounds.max),
-                                 Vec3(std::cos(angle), 0.0, -std::sin(angle)), Vec3::UnitY()});
+        planes.frames.push_back(
+            {0.5 * (m_bounds.min + m_bounds.max), std::cos(angle) * x - std::sin(angle) * back, y});
     }
     return planes;
 }
 
+std::vector<Contour> Slicer::roomsBetween(const Frame &frame, Contour room) const
+{
+    if (m_crossing.empty() || m_context.operation().version < kWallsAtCrossings)
+        return {std::move(room)};
+    const Box2 box = room.bounds();
+    const double far = box.size().norm(), half = 0.5 * (m_context.number("wall") + m_thickness);
+    std::vector<Polygon> walls;
+    for (const Frame &other : m_crossing) {
+        const Vec2 slope = frame.directionToLocal(other.normal());
+        if (slope.norm() < std::sin(kMinJointAngle))
+            continue;
+        const Vec2 across = slope.normalized(), along = perpendicular(across);
+        const Vec2 foot =
+            box.center() - other.height(frame.toWorld(box.center())) / slope.norm() * across;
+        if ((foot - box.center()).norm() > far + half)
+            continue;
+        walls.push_back({foot - far * along - half * across, foot + far * along - half * across,
+                         foot + far * along + half * across, foot - far * along + half * across});
+    }
+    const Result<std::vector<CurvedRegion>> left = subtract(room, {}, walls, kRoomError);
+    if (!left)
+        return {};
+    std::vector<Contour> rooms;
+    for (const CurvedRegion &region : *left)
+        rooms.push_back(region.outer.reversed());
+    return rooms;
+}
+
 /// Takes out what lies within the wall. Not around holes of the template: their walls would hang in
 /// the air.
-void Slicer::hollow(const Contour &contour, std::vector<Contour> &holes) const
+void Slicer::hollow(const Frame &frame, const Contour &contour, std::vector<Contour> &holes) const
 {
     std::vector<Vec2> kept;
     for (const Contour &hole : holes)
@@ -174,8 +235,11 @@ void Slicer::hollow(const Contour &contour, std::vector<Contour> &holes) const
         const bool isFree = std::none_of(kept.begin(), kept.end(), [&](const Vec2 &p) {
             return locate(p, polygon) != Side::Outside;
         });
-        if (isFree && std::abs(signedArea(polygon)) >= m_context.number("smallest"))
-            holes.push_back(std::move(room));
+        if (!isFree)
+            continue;
+        for (Contour &part : roomsBetween(frame, std::move(room)))
+            if (std::abs(part.signedArea()) >= m_context.number("smallest"))
+                holes.push_back(std::move(part));
     }
 }
 
@@ -188,7 +252,7 @@ void Slicer::add(const std::string &key, std::string name, const Frame &frame,
         if (Result<Contour> hole = curveOf(*loop))
             holes.push_back(*std::move(hole));
     if (contour && m_context.isOn("hollow"))
-        hollow(*contour, holes);
+        hollow(frame, *contour, holes);
     Result<ShapePointer> shape = contour ? m_context.shape(key, *contour, std::move(holes))
                                          : Result<ShapePointer>(tl::unexpected(contour.error()));
     if (!shape) {
@@ -245,8 +309,9 @@ bool Slicer::addPiece(char direction, int plane, int piece, const Frame &frame,
     return true;
 }
 
-void Slicer::cut(const SlicePlanes &planes)
+void Slicer::cut(const SlicePlanes &planes, const std::vector<Frame> &crossing)
 {
+    m_crossing = crossing;
     for (std::size_t i = 0; i < planes.frames.size(); ++i) {
         const std::vector<TemplateLoop> loops =
             loopsOn(planes.frames[i], m_subject, *m_subject.mesh);
@@ -279,19 +344,29 @@ void Slicer::cutAlong(const Section &spine)
 void Slicer::slice()
 {
     const std::string direction = m_context.choice("direction");
-    if (direction == "curve") {
-        const SectionPointer spine = m_context.input("spine");
-        if (!spine) {
-            if (countOf(m_context.operation(), *kSlices.input("spine")) == 0)
-                m_context.notice({OperationNotice::Kind::InputMissing, "spine"});
+    if (direction == "curve" || direction == "section") {
+        const std::string_view role = direction == "curve" ? "spine" : "like";
+        const SectionPointer input = m_context.input(role);
+        if (!input) {
+            if (countOf(m_context.operation(), *kSlices.input(role)) == 0)
+                m_context.notice({OperationNotice::Kind::InputMissing, std::string(role)});
             return;
         }
-        cutAlong(*spine);
-    } else if (direction == "radial") {
-        cut(around());
+        if (direction == "curve")
+            cutAlong(*input);
+        else
+            cut(like(*input));
+    } else if (direction.starts_with("radial")) {
+        const SlicePlanes planes = around(direction == "radialX"   ? 0
+                                          : direction == "radialZ" ? 2
+                                                                   : 1);
+        cut(planes, planes.frames);
+    } else if (direction.size() == 2) {
+        const SlicePlanes first = across(direction[0] - 'x'), second = across(direction[1] - 'x');
+        cut(first, second.frames);
+        cut(second, first.frames);
     } else {
-        for (const char axis : direction)
-            cut(across(axis - 'x'));
+        cut(across(direction[0] - 'x'));
     }
     if (m_slivers > 0)
         m_context.notice({OperationNotice::Kind::Slivers, {}, {}, m_slivers});
@@ -326,7 +401,10 @@ std::vector<ParameterSpec> parameters()
                      {"xy", QT_TRANSLATE_NOOP("Operation", "across X and Y")},
                      {"xz", QT_TRANSLATE_NOOP("Operation", "across X and Z")},
                      {"yz", QT_TRANSLATE_NOOP("Operation", "across Y and Z")},
-                     {"radial", QT_TRANSLATE_NOOP("Operation", "around")},
+                     {"section", QT_TRANSLATE_NOOP("Operation", "like a section")},
+                     {"radial", QT_TRANSLATE_NOOP("Operation", "around Y")},
+                     {"radialX", QT_TRANSLATE_NOOP("Operation", "around X")},
+                     {"radialZ", QT_TRANSLATE_NOOP("Operation", "around Z")},
                      {"curve", QT_TRANSLATE_NOOP("Operation", "along a curve")}},
          .heading = QT_TRANSLATE_NOOP("Operation", "Slices")},
         {.key = "planesBy",
@@ -335,7 +413,7 @@ std::vector<ParameterSpec> parameters()
          .choices = {{"count", QT_TRANSLATE_NOOP("Operation", "Count")},
                      {"spacing", QT_TRANSLATE_NOOP("Operation", "Spacing")}},
          .countsIf = "direction",
-         .countsFor = {"x", "y", "z", "xy", "xz", "yz", "curve"}},
+         .countsFor = {"x", "y", "z", "xy", "xz", "yz", "section", "curve"}},
         {.key = "count",
          .label = QT_TRANSLATE_NOOP("Operation", "Count"),
          .unit = Unit::Count,
@@ -420,7 +498,7 @@ std::vector<ParameterSpec> parameters()
 
 const OperationKind kSlices{
     .key = "slices",
-    .version = kKeepsOffEnds,
+    .version = kWallsAtCrossings,
     .name = QT_TRANSLATE_NOOP("Operation", "Slices"),
     .summary = QT_TRANSLATE_NOOP("Operation", "Cuts a mesh into sections that follow its form."),
     .inputs = {{.role = "spine",
@@ -429,7 +507,14 @@ const OperationKind kSlices{
                                             "Click the section whose contour it should run along."),
                 .least = 0,
                 .countsIf = "direction",
-                .countsFor = {"curve"}}},
+                .countsFor = {"curve"}},
+               {.role = "like",
+                .label = QT_TRANSLATE_NOOP("Operation", "Like"),
+                .prompt = QT_TRANSLATE_NOOP("Operation",
+                                            "Click the section that they should be parallel to."),
+                .least = 0,
+                .countsIf = "direction",
+                .countsFor = {"section"}}},
     .parameters = parameters(),
     .make = make,
     .isOfTemplate = true};

@@ -2,16 +2,21 @@
 // needlessly.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/assembly/crossing.h"
 #include "core/io/fff_format.h"
+#include "core/model/edits.h"
+#include "core/model/operation_edits.h"
 #include "core/model/template_edits.h"
 #include "core/operations/baking.h"
 #include "core/operations/insertion.h"
 #include "core/templates/template_mesh.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/core/operations/operation_models.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 
 #include <numbers>
+#include <set>
 
 using namespace fff;
 using namespace fff::test;
@@ -49,8 +54,11 @@ private Q_SLOTS:
     void aBallAlongEachAxis();
     void aGridSlidesTogether();
     void aroundAnAxis();
+    void aroundOtherAxes();
+    void likeASection();
     void bySpacing();
     void hollowOnesKeepTheirWall();
+    void hollowOnesAreWalledWhereTheyCross();
     void smallPiecesAreLeftOut();
     void onlyWhatChangesIsMadeAnew();
     void withoutItsTemplate();
@@ -99,6 +107,56 @@ void TestSlices::aroundAnAxis()
     }
 }
 
+void TestSlices::aroundOtherAxes()
+{
+    for (const auto &[direction, axis] : {std::pair("radialX", 0), std::pair("radialZ", 2)}) {
+        const Model model = evaluate(
+            withSlices(withMesh(torus(50.0, 20.0, 120, 80)),
+                       {{"direction", std::string(direction)}, {"count", 4.0}, {"shift", 0.1}}));
+        QVERIFY(model.sectionCount() >= 4);
+        std::set<std::pair<double, double>> normals;
+        for (const SectionPointer &slice : model.sections()) {
+            const Frame &frame = slice->frame;
+            QVERIFY(std::abs(frame.normal()[axis]) < 1e-12);
+            QVERIFY(std::abs(frame.x.norm() - 1.0) < 1e-12);
+            QVERIFY(std::abs(frame.x.dot(frame.y)) < 1e-12);
+            normals.insert({frame.normal()[(axis + 1) % 3], frame.normal()[(axis + 2) % 3]});
+        }
+        QCOMPARE(normals.size(), std::size_t(4));
+    }
+}
+
+// In any direction: as a section that is picked lies.
+void TestSlices::likeASection()
+{
+    Document document = withMesh(sphere(50.0, 120, 180));
+    const Frame aslant = makeFrame({200, 30, 0}, {1.0, 0.4, 0.2}, Vec3(0.1, 0.9, 0.5)).value();
+    const SectionId like = add(document, "Like", plateOf(-10, -10, 10, 10), aslant);
+    document =
+        withSlices(std::move(document), {{"direction", std::string("section")}, {"count", 5.0}});
+    const OperationId id = document.operations.front()->id;
+    QVERIFY(evaluate(document).evaluation.results.front()->sections.empty()); // none is picked
+    Operation slices = *document.operations.front();
+    slices.inputs["like"] = {OperationInput{SectionRef(like)}};
+    document = setOperation(document, slices).value();
+    const Model model = evaluate(document);
+    QCOMPARE(model.evaluation.results.front()->sections.size(), std::size_t(5));
+    const Vec3 middle(0.0, 50.0, 0.0);
+    for (int i = 0; i < 5; ++i) {
+        const Section &slice = *model.find(SectionRef(id, "s/" + std::to_string(i) + "/0"));
+        QVERIFY((slice.frame.normal() - aslant.normal()).norm() < 1e-12);
+        const double off = (i - 2) * 20.0;
+        QVERIFY(std::abs(slice.frame.height(middle) + off) < 0.1); // the ball's chords
+        const double wanted = kHalfTurn * (2500.0 - off * off);
+        QVERIFY(std::abs(slice.shape->area() / wanted - 1.0) < 0.02);
+    }
+    // They follow it.
+    const Frame upright = makeFrame({200, 30, 0}, Vec3::UnitX(), Vec3::UnitY()).value();
+    const Model after = evaluate(moveSection(document, like, upright).value(), model);
+    for (const auto &made : after.evaluation.results.front()->sections)
+        QVERIFY((made->frame.normal() - Vec3::UnitZ()).norm() < 1e-12);
+}
+
 void TestSlices::bySpacing()
 {
     const Model model =
@@ -129,6 +187,32 @@ void TestSlices::hollowOnesKeepTheirWall()
         withMesh(sphere(50.0, 60, 90)),
         {{"direction", std::string("x")}, {"count", 2.0}, {"hollow", true}, {"wall", 60.0}}));
     QVERIFY(small.section(0)->shape->holes().empty());
+}
+
+void TestSlices::hollowOnesAreWalledWhereTheyCross()
+{
+    const Model model = evaluate(withSlices(
+        withMesh(sphere(50.0, 120, 180)),
+        {{"direction", std::string("xz")}, {"count", 3.0}, {"hollow", true}, {"wall", 8.0}}));
+    QCOMPARE(model.sectionCount(), std::size_t(6));
+    for (std::size_t i = 0; i < 6; ++i) {
+        const Section &slice = *model.section(i);
+        QVERIFY(slice.shape->holes().size() >= 2);
+        for (std::size_t k = 0; k < 6; ++k) {
+            const Section &other = *model.section(k);
+            if (std::abs(slice.frame.normal().dot(other.frame.normal())) > 0.5)
+                continue;
+            const Crossing crossing =
+                findCrossing(*slice.shape, slice.frame, *other.shape, other.frame);
+            QCOMPARE(crossing.overlaps.size(), std::size_t(1));
+            // Each room is half a wall and half a sheet away from it at least.
+            const double thickness = model.document.stocks.front()->thickness;
+            for (const Contour &hole : slice.shape->holes())
+                for (const Vec2 &p : hole.polygon(0.01))
+                    QVERIFY(std::abs(other.frame.height(slice.frame.toWorld(p))) >
+                            0.5 * (8.0 + thickness) - 0.05);
+        }
+    }
 }
 
 void TestSlices::smallPiecesAreLeftOut()
