@@ -100,6 +100,7 @@ target_sources(fff_ui PRIVATE
     docks/properties_dock.cpp
     docks/properties_header.cpp
     docks/section_page.cpp
+    docks/template_source.cpp
     docks/template_tools.cpp
     docks/templates_dock.cpp
     docks/checks_dock_links.cpp

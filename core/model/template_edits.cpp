@@ -80,6 +80,21 @@ std::string freeTemplateName(const Document &document, const std::string &wanted
 
 } // namespace
 
+namespace {
+
+/// The bytes that no template is of any more.
+void dropUnused(Document &document, const std::string &blob)
+{
+    const bool isUsed =
+        std::any_of(document.templates.begin(), document.templates.end(),
+                    [&blob](const TemplatePointer &one) { return one->blob == blob; });
+    if (!isUsed)
+        std::erase_if(document.blobs,
+                      [&blob](const BlobPointer &one) { return one->sha256 == blob; });
+}
+
+} // namespace
+
 Result<Document> addTemplate(Document document, Template added)
 {
     if (Result<void> sound = checkedTemplate(document, added, nullptr); !sound)
@@ -99,8 +114,11 @@ Result<Document> setTemplate(Document document, Template changed)
     if (Result<void> sound = checkedTemplate(document, changed, found->get()); !sound)
         return tl::unexpected(std::move(sound.error()));
     settleMagnets(changed);
-    if (**found != changed || !(*found)->hasContentOf(changed))
+    if (**found != changed || !(*found)->hasContentOf(changed)) {
+        const std::string blob = (*found)->blob;
         *found = std::make_shared<const Template>(std::move(changed));
+        dropUnused(document, blob);
+    }
     return document;
 }
 
@@ -111,12 +129,7 @@ Result<Document> removeTemplate(Document document, TemplateId id)
         return unknownTemplate(id.value);
     const std::string blob = (*found)->blob;
     document.templates.erase(found);
-    const bool isUsed =
-        std::any_of(document.templates.begin(), document.templates.end(),
-                    [&blob](const TemplatePointer &one) { return one->blob == blob; });
-    if (!isUsed)
-        std::erase_if(document.blobs,
-                      [&blob](const BlobPointer &one) { return one->sha256 == blob; });
+    dropUnused(document, blob);
     return document;
 }
 

@@ -10,7 +10,7 @@ namespace fff {
 
 /// Appends it (its id is given). A name that another one has gets a number.
 Result<Document> addTemplate(Document document, Template added);
-/// Replaces the one with the same id.
+/// Replaces the one with the same id; bytes that no other one is made of go with it.
 Result<Document> setTemplate(Document document, Template changed);
 /// With its bytes, unless another one is made of them.
 Result<Document> removeTemplate(Document document, TemplateId id);

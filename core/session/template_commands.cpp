@@ -4,12 +4,16 @@
 #include "core/base/units.h"
 #include "core/interaction/template_words.h"
 #include "core/io/template_file.h"
+#include "core/model/edits.h"
 #include "core/model/template_edits.h"
 #include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 #include "core/session/template_making.h"
 #include "core/session/template_parameters.h"
 #include "core/templates/flat_template.h"
+#include "core/templates/moved_template.h"
+
+#include <QtCore/QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +24,19 @@ namespace {
 
 constexpr double kPercent = 100.0;
 constexpr int kMostSeed = 999'999'999;
+
+const char *kindWord(TemplateKind kind)
+{
+    switch (kind) {
+    case TemplateKind::Mesh:
+        return QT_TRANSLATE_NOOP("Error", "a mesh");
+    case TemplateKind::Picture:
+        return QT_TRANSLATE_NOOP("Error", "a picture");
+    case TemplateKind::Curves:
+        return QT_TRANSLATE_NOOP("Error", "a drawing");
+    }
+    return ""; // not reached: every kind is above
+}
 
 class TemplateCommands
 {
@@ -62,6 +79,31 @@ public:
         return {};
     }
 
+    Result<void> refill(const CommandParameters &parameters, double time) const
+    {
+        const Result<Template> one = templateOf(parameters);
+        const std::string *file = textOf(parameters, "file");
+        if (!one)
+            return tl::unexpected(one.error());
+        if (!file)
+            return failure(ErrorCode::BadValue, "file", {"nothing", "the name of a file"});
+        const Result<bool> isByReference = truthOf(parameters, "reference", one->blob.empty());
+        if (!isByReference)
+            return tl::unexpected(isByReference.error());
+        io::TemplateFileOptions options;
+        options.isByReference = *isByReference;
+        const Result<io::LoadedTemplate> loaded =
+            io::readTemplateFile(QString::fromStdString(*file), options);
+        if (!loaded)
+            return tl::unexpected(loaded.error());
+        Result<EditedSections> refilled =
+            refilledTemplate(m_session.committed().document, one->id, *loaded);
+        if (!refilled)
+            return tl::unexpected(std::move(refilled.error()));
+        m_interaction.carryOut(SectionEdit(*std::move(refilled)), time);
+        return {};
+    }
+
     Result<void> set(const CommandParameters &parameters, double time) const
     {
         Result<Template> one = templateOf(parameters);
@@ -89,6 +131,8 @@ public:
                            {*textOf(parameters, "turn"), "nothing: this does not lie flat"});
         if (turn != turnBefore)
             *one = turned(*one, radians(turn - turnBefore));
+        if (const Result<void> done = turnMesh(parameters, *one); !done)
+            return done;
         if (opacity != kPercent * one->opacity)
             one->opacity = opacity / kPercent;
         for (const auto &[key, flag] :
@@ -173,6 +217,27 @@ private:
     using FacesEdit = Result<SectionEdit> (*)(const Document &, TemplateId, std::size_t,
                                               const LongWork &);
 
+    /// To the angles that are given, each by itself.
+    static Result<void> turnMesh(const CommandParameters &parameters, Template &one)
+    {
+        const Vec3 before = one.isFlat() ? Vec3(Vec3::Zero()) : turnsOf(one);
+        Vec3 turns = before;
+        int axis = 0;
+        for (const char *key : {"turnX", "turnY", "turnZ"}) {
+            if (const std::string *text = textOf(parameters, key); text && one.isFlat())
+                return failure(ErrorCode::BadValue, key, {*text, "nothing: this lies flat"});
+            const Result<double> value = numberOf(parameters, key, degrees(before[axis]));
+            if (!value)
+                return tl::unexpected(value.error());
+            if (textOf(parameters, key))
+                turns[axis] = radians(*value);
+            ++axis;
+        }
+        if (turns != before)
+            one = turnedTo(std::move(one), turns);
+        return {};
+    }
+
     Result<void> ofFaces(const CommandParameters &parameters, double time, FacesEdit edit) const
     {
         const Result<Template> one = templateOf(parameters);
@@ -231,6 +296,25 @@ Result<EditedSections> addedTemplate(const Document &document, const io::LoadedT
     return EditedSections{*std::move(next), {steps::kAddTemplate, {Named{name}}}};
 }
 
+Result<EditedSections> refilledTemplate(const Document &document, TemplateId id,
+                                        const io::LoadedTemplate &loaded)
+{
+    const Template *one = document.find(id);
+    if (!one)
+        return failure(ErrorCode::UnknownReference);
+    if (loaded.made.kind != one->kind)
+        return failure(ErrorCode::BadValue, loaded.made.file,
+                       {kindWord(loaded.made.kind), kindWord(one->kind)});
+    Template next = *one;
+    next.file = loaded.made.file;
+    next.blob = loaded.made.blob;
+    next.mesh = loaded.made.mesh;
+    next.picture = loaded.made.picture;
+    next.curves = loaded.made.curves;
+    return changedTemplate(loaded.blob ? addBlob(document, loaded.blob) : document, next,
+                           steps::kChangeTemplate);
+}
+
 Result<EditedSections> changedTemplate(const Document &document, const Template &changed, Text step)
 {
     Result<Document> next = setTemplate(document, changed);
@@ -252,7 +336,8 @@ void registerTemplateCommands(CommandRegistry &registry, Session &session, Inter
         needs([&session] { return !session.committed().document.templates.empty(); },
               FFF_TEXT("Command", "There is no template: add a mesh or a picture first"));
     registry.add("template.add", {runner(&TemplateCommands::add)});
-    for (const auto &[id, run] : {std::pair("template.set", &TemplateCommands::set),
+    for (const auto &[id, run] : {std::pair("template.refill", &TemplateCommands::refill),
+                                  std::pair("template.set", &TemplateCommands::set),
                                   std::pair("template.remove", &TemplateCommands::remove),
                                   std::pair("template.toGround", &TemplateCommands::toGround),
                                   std::pair("template.turnUp", &TemplateCommands::turnUp),

@@ -4,7 +4,9 @@
 #include "core/templates/flat_template.h"
 #include "core/templates/template_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fff {
 
@@ -62,6 +64,35 @@ Result<Template> movedBy(Template one, const Similarity &by, const Model &model)
                            one.frame.origin.cwiseAbs().maxCoeff() <= kMaxCoordinate;
     if (!isFitting)
         return badPlacement("size");
+    return one;
+}
+
+Vec3 turnsOf(const Template &one)
+{
+    const Vec3 &x = one.frame.x, &y = one.frame.y, n = one.frame.normal();
+    // Where x points straight up or down the first turn and the third are about one line.
+    if (std::hypot(x.x(), x.y()) <= kExactFrame)
+        return {std::atan2(-n.y(), y.y()), std::copysign(std::numbers::pi / 2.0, -x.z()), 0.0};
+    return {std::atan2(y.z(), n.z()), std::asin(std::clamp(-x.z(), -1.0, 1.0)),
+            std::atan2(x.y(), x.x())};
+}
+
+Template turnedTo(Template one, const Vec3 &turns)
+{
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(turns.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(turns.y(), Vec3::UnitY()) *
+         Eigen::AngleAxisd(turns.x(), Vec3::UnitX()))
+            .toRotationMatrix();
+    // Right angles leave axes along axes, to the last bit.
+    const auto cleaned = [](Vec3 axis) {
+        for (double &value : axis)
+            if (const double whole = std::round(value); std::abs(value - whole) <= kExactFrame)
+                value = whole;
+        return axis;
+    };
+    one.frame.x = cleaned(turn.col(0));
+    one.frame.y = cleaned(turn.col(1));
+    one.frame = straightened(one.frame);
     return one;
 }
 

@@ -16,6 +16,13 @@ namespace fff {
 ///         template can be as large or as far away as
 Result<Template> movedBy(Template one, const Similarity &by, const Model &model);
 
+/// How the axes of its file lie, as turns about the world's X, then Y, then Z, radians; of what
+/// does not lie on a section. The second one is within a quarter turn; where it is one the third is
+/// 0.
+Vec3 turnsOf(const Template &one);
+/// With these turns, about its middle.
+Template turnedTo(Template one, const Vec3 &turns);
+
 /// So that what is from one place to the other is so long, mm: the first place stays. Places in
 /// the world; of what is flat in its plane. Errors  those of movedBy(); BadValue, place = "line",
 /// for places that are the same, "length" for one that is not above 0.

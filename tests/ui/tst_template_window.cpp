@@ -3,8 +3,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/model/template_edits.h"
+#include "core/templates/moved_template.h"
 #include "core/templates/template_mesh.h"
 #include "core/templates/template_picture.h"
+#include "tests/core/io/written_meshes.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
@@ -13,7 +15,14 @@
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
 #include <QTreeWidget>
 
 #include <cmath>
@@ -32,6 +41,8 @@ private Q_SLOTS:
 
     void shiftEnterTakesTheGuideAcross();
     void theListHidesLocksAndRemoves();
+    void turnedByNumbers();
+    void itsFileIsFoundLinkedAndKept();
     void suggestionsComeOneStepEach();
     void facetsTakeThePlaceOfTheMesh();
     void aPictureIsSeenLaidAndTraced();
@@ -55,6 +66,23 @@ private:
         edit->selectAll();
         QTest::keyClicks(edit, text);
         QTest::keyClick(edit, Qt::Key_Return);
+    }
+    /// The dialog that comes up takes this file.
+    static void chooseFile(const QString &path)
+    {
+        QTimer::singleShot(0, qApp, [path] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            dialog->setDirectory(QFileInfo(path).path());
+            dialog->selectFile(path);
+            dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))
+                ->setText(QFileInfo(path).fileName());
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+    }
+    bool isSeen(const char *button) const
+    {
+        return m_window->findChild<QPushButton *>(QLatin1String(button))->isVisible();
     }
     void push(const char *button)
     {
@@ -115,6 +143,74 @@ void TestTemplateWindow::theListHidesLocksAndRemoves()
     QCOMPARE(tree->topLevelItemCount(), 0);
     session().history()->undo();
     QCOMPARE(tree->topLevelItemCount(), 1);
+}
+
+void TestTemplateWindow::turnedByNumbers()
+{
+    chooseBall();
+    const Frame before = ball().frame;
+    type("templateTurnX", QStringLiteral("90"));
+    QVERIFY((ball().frame.y - Vec3::UnitZ()).norm() < 1e-12);
+    QVERIFY(ball().frame.origin == before.origin);
+    type("templateTurnZ", QStringLiteral("30"));
+    QVERIFY(std::abs(turnsOf(ball()).x() - std::numbers::pi / 2.0) < 1e-9);
+    QVERIFY(std::abs(turnsOf(ball()).z() - std::numbers::pi / 6.0) < 1e-9);
+    type("templateTurnZ", QStringLiteral("0"));
+    type("templateTurnX", QStringLiteral("0"));
+    QVERIFY(ball().frame.x == before.x && ball().frame.y == before.y);
+}
+
+// Wrong: a model that was sent without its mesh has no mesh ever again.
+void TestTemplateWindow::itsFileIsFoundLinkedAndKept()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("moved.stl"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(test::stlBytes(test::sphere(60.0, 30, 40))));
+    file.close();
+    Template gone;
+    gone.name = "Gone";
+    gone.file = "/nowhere/gone.stl";
+    gone.frame.origin = {5.0, 60.0, 0.0};
+    gone.scale = 0.5;
+    session().commit(QStringLiteral("Add"),
+                     addTemplate(session().committed().document, gone).value());
+    auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
+    dock->show();
+    dock->raise();
+    const auto one = [this]() -> const Template & {
+        return *session().committed().document.templates.front();
+    };
+    QVERIFY(isSeen("templateFind") && !isSeen("templateLink") && !isSeen("templateKeep"));
+    const Document before = session().committed().document;
+    chooseFile(path);
+    push("templateFind");
+    QVERIFY(one().mesh);
+    QVERIFY(one().blob.empty());
+    QCOMPARE(QString::fromStdString(one().file), path);
+    QVERIFY(one().frame == gone.frame && one().scale == gone.scale);
+    QVERIFY(!isSeen("templateFind") && isSeen("templateKeep"));
+    push("templateKeep");
+    QVERIFY(!one().blob.empty());
+    QVERIFY(session().committed().document.findBlob(one().blob));
+    QVERIFY(one().mesh && one().frame == gone.frame);
+    QVERIFY(isSeen("templateLink"));
+    chooseFile(path);
+    push("templateLink");
+    QVERIFY(one().blob.empty());
+    QVERIFY(session().committed().document.blobs.empty()); // the model's file gets smaller
+    // Another kind of thing is refused, and all stays.
+    const QString picture = folder.filePath(QStringLiteral("a.png"));
+    QVERIFY(QImage(8, 8, QImage::Format_RGB32).save(picture));
+    push("templateKeep");
+    chooseFile(picture);
+    push("templateLink");
+    QVERIFY(one().mesh && !one().blob.empty());
+    while (session().history()->canUndo() && !session().committed().document.isSame(before))
+        session().history()->undo();
+    QVERIFY(!one().mesh);
+    QVERIFY(isSeen("templateFind"));
 }
 
 // One that is not liked goes for the next: nobody has to undo it, nor does it stay in the history.

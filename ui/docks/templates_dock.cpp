@@ -1,9 +1,11 @@
 #include "ui/docks/templates_dock.h"
 
 #include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/interaction/template_words.h"
 #include "core/session/template_commands.h"
 #include "core/templates/flat_template.h"
+#include "core/templates/moved_template.h"
 #include "core/templates/template_curves.h"
 #include "core/templates/template_mesh.h"
 #include "core/templates/template_picture.h"
@@ -14,9 +16,11 @@
 #include "ui/docks/flat_group.h"
 #include "ui/docks/making_group.h"
 #include "ui/docks/outline_marks.h"
+#include "ui/docks/template_source.h"
 #include "ui/docks/template_tools.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/slider_field.h"
+#include "ui/properties/triple_row.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -41,6 +45,7 @@ constexpr double kHundred = 100.0;
 constexpr NumberEdit::Range kOpacityRange{0.0, kHundred, 5.0, 0, 0};
 constexpr LengthEdit::Range kTemplateSizes{0.1, 1e5, 1.0, 1, 3};
 constexpr LengthEdit::Range kTemplatePlace{-kMaxCoordinate, kMaxCoordinate, 1.0, 1, 3};
+constexpr NumberEdit::Range kTemplateTurn{-360.0, 360.0, 1.0, 0, 2};
 
 double sizeOf(const Template &one)
 {
@@ -165,42 +170,8 @@ QWidget *TemplatesDock::makeFields()
                 steps::kChangeTemplate);
         },
         m_group));
-    const std::array<std::pair<QString, const char *>, 3> places{{{tr("Position X"), "templateX"},
-                                                                  {tr("Position Y"), "templateY"},
-                                                                  {tr("Position Z"), "templateZ"}}};
-    for (int axis = 0; axis < 3; ++axis)
-        add(new LengthRow(
-            places[static_cast<std::size_t>(axis)].first,
-            places[static_cast<std::size_t>(axis)].second, kTemplatePlace,
-            [this, axis] {
-                return chosen() ? std::optional(chosen()->frame.origin[axis]) : std::nullopt;
-            },
-            [this, axis](double value) {
-                change([axis, value](Template &one) { one.frame.origin[axis] = value; },
-                       steps::kMoveTemplate);
-            },
-            m_group));
-    add(new TextRow(
-        tr("Holds"), "templateTriangles",
-        [this] {
-            const Template *one = chosen();
-            return one && isRead(*one) ? contentOf(*one) : tr("its file is missing");
-        },
-        m_group));
-    add(new TextRow(
-        tr("Extent"), "templateExtent",
-        [this]() -> QString {
-            const Template *one = chosen();
-            if (one && one->isFlat() && isRead(*one)) {
-                const Vec2 flat = flatSize(*one);
-                return sizeText({flat.x(), flat.y()}, 1, locale());
-            }
-            if (!one || !one->mesh)
-                return tr("unknown");
-            const Vec3 size = worldBounds(*one, *one->mesh).size();
-            return sizeText({size.x(), size.y(), size.z()}, 1, locale());
-        },
-        m_group));
+    addPlaces();
+    addContent();
     column->addWidget(m_group);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(6);
@@ -225,6 +196,94 @@ QWidget *TemplatesDock::makeFields()
     column->addStretch();
     area->setWidget(m_fields);
     return area;
+}
+
+/// Where its middle is and how it is turned.
+void TemplatesDock::addPlaces()
+{
+    std::array<NumberEdit *, 3> places{}, turns{};
+    for (int axis = 0; axis < 3; ++axis) {
+        auto *place = new LengthEdit(kTemplatePlace, m_group);
+        connect(place, &LengthEdit::lengthEdited, this, [this, axis](double value) {
+            change([axis, value](Template &one) { one.frame.origin[axis] = value; },
+                   steps::kMoveTemplate);
+        });
+        auto *turn = new NumberEdit(kTemplateTurn, tr("°"), m_group);
+        connect(turn, &NumberEdit::numberEdited, this, [this, axis](double value) {
+            change(
+                [axis, value](Template &one) {
+                    Vec3 all = turnsOf(one);
+                    all[axis] = radians(value);
+                    one = turnedTo(std::move(one), all);
+                },
+                steps::kMoveTemplate);
+        });
+        const std::array names{"X", "Y", "Z"};
+        const QLatin1String name(names[static_cast<std::size_t>(axis)]);
+        place->setObjectName(QStringLiteral("template") + name);
+        turn->setObjectName(QStringLiteral("templateTurn") + name);
+        places[static_cast<std::size_t>(axis)] = place;
+        turns[static_cast<std::size_t>(axis)] = turn;
+    }
+    auto *position = new TripleRow(
+        tr("Position"), places,
+        {tr("X of its middle"), tr("Y of its middle"), tr("Z of its middle")},
+        [this](int axis) {
+            return chosen() ? std::optional(chosen()->frame.origin[axis]) : std::nullopt;
+        },
+        m_group);
+    auto *turned = new TripleRow(
+        tr("Turn"), turns,
+        {tr("Turned about X, first"), tr("Turned about Y, after X"), tr("Turned about Z, last")},
+        [this](int axis) {
+            const Template *one = chosen();
+            return one ? std::optional(degrees(turnsOf(*one)[axis]) + 0.0) : std::nullopt;
+        },
+        m_group);
+    for (TripleRow *row : {position, turned}) {
+        m_group->add(row);
+        m_rows.push_back(row);
+    }
+    m_turns = turned;
+}
+
+void TemplatesDock::addContent()
+{
+    const auto add = [this](PropertyRow *row) {
+        m_group->add(row);
+        m_rows.push_back(row);
+    };
+    add(new TextRow(
+        tr("Holds"), "templateTriangles",
+        [this] {
+            const Template *one = chosen();
+            return one && isRead(*one) ? contentOf(*one) : tr("its file is missing");
+        },
+        m_group));
+    add(new TextRow(
+        tr("Extent"), "templateExtent",
+        [this]() -> QString {
+            const Template *one = chosen();
+            if (one && one->isFlat() && isRead(*one)) {
+                const Vec2 flat = flatSize(*one);
+                return sizeText({flat.x(), flat.y()}, 1, locale());
+            }
+            if (!one || !one->mesh)
+                return tr("unknown");
+            const Vec3 size = worldBounds(*one, *one->mesh).size();
+            return sizeText({size.x(), size.y(), size.z()}, 1, locale());
+        },
+        m_group));
+    m_source = new TemplateSource([this] { return chosen(); }, m_group);
+    connect(m_source, &TemplateSource::fileWanted, this, [this](bool isByReference) {
+        if (const Template *one = chosen())
+            Q_EMIT fileWanted(one->id, isByReference);
+    });
+    connect(m_source, &TemplateSource::keepWanted, this, [this] {
+        if (const Template *one = chosen())
+            Q_EMIT keepWanted(one->id);
+    });
+    m_group->add(m_source);
 }
 
 QWidget *TemplatesDock::makeMaking()
@@ -416,6 +475,8 @@ void TemplatesDock::refreshFields()
     for (QWidget *ofMeshes : {static_cast<QWidget *>(m_slices), static_cast<QWidget *>(m_making),
                               static_cast<QWidget *>(m_turnUp)})
         ofMeshes->setVisible(!one->isFlat());
+    m_turns->setVisible(!one->isFlat());
+    m_source->refresh();
     m_flat->refresh();
     m_tools->refresh();
     for (PropertyRow *row : m_rows)

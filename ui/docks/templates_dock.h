@@ -25,6 +25,7 @@ class FlatGroup;
 class MakingGroup;
 class PropertyGroup;
 class PropertyRow;
+class TemplateSource;
 class TemplateTools;
 class Workbench;
 
@@ -46,6 +47,9 @@ Q_SIGNALS:
     void facetsWanted(fff::TemplateId of, int faces);
     void netWanted(fff::TemplateId of, int faces);
     void traceWanted(const fff::WantedTrace &wanted);
+    /// What it holds is to be read from a file that is asked for, or from its own.
+    void fileWanted(fff::TemplateId of, bool isByReference);
+    void keepWanted(fff::TemplateId of);
     /// A tool was picked up here whose keys are the view's.
     void viewWanted();
 
@@ -55,6 +59,8 @@ protected:
 private:
     QWidget *makeFields();
     QWidget *makeMaking();
+    void addPlaces();
+    void addContent();
     void followModel();
     void writeRows();
     void writeRow(QTreeWidgetItem *item, const Template &one);
@@ -78,6 +84,8 @@ private:
     MakingGroup *m_making = nullptr;
     FlatGroup *m_flat = nullptr;
     TemplateTools *m_tools = nullptr;
+    TemplateSource *m_source = nullptr;
+    QWidget *m_turns = nullptr;                           // of meshes
     QPushButton *m_slices = nullptr, *m_turnUp = nullptr; // of meshes
     std::vector<PropertyRow *> m_rows;
     std::vector<TemplatePointer> m_shown; // what the rows are of

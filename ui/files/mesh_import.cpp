@@ -13,7 +13,10 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <atomic>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace fff::ui {
@@ -39,21 +42,32 @@ QString remarksOf(const std::vector<Message> &messages)
 using ReadTemplate =
     std::function<Result<io::LoadedTemplate>(const io::TemplateFileOptions &options)>;
 
+/// Nothing where it was given up.
+std::optional<Result<io::LoadedTemplate>> readInBackground(QWidget &window, const QString &name,
+                                                           ReadTemplate read)
+{
+    std::stop_source stop;
+    const auto share = std::make_shared<std::atomic<double>>(-1.0);
+    auto loaded = inBackground<Result<io::LoadedTemplate>>(
+        window, MeshTexts::tr("Reading %1…").arg(name), MayCancel::Yes,
+        [read = std::move(read), token = stop.get_token(), share] {
+            io::TemplateFileOptions options;
+            options.work.stop = token;
+            options.work.progress = [share](double done) { share->store(done); };
+            return read(options);
+        },
+        share);
+    if (!loaded)
+        stop.request_stop();
+    return loaded;
+}
+
 MeshImported importTemplate(QWidget &window, Workbench &bench, const QString &name,
                             ReadTemplate read)
 {
-    std::stop_source stop;
-    auto loaded = inBackground<Result<io::LoadedTemplate>>(
-        window, MeshTexts::tr("Reading %1…").arg(name), MayCancel::Yes,
-        [read = std::move(read), token = stop.get_token()] {
-            io::TemplateFileOptions options;
-            options.work.stop = token;
-            return read(options);
-        });
-    if (!loaded) {
-        stop.request_stop();
+    const auto loaded = readInBackground(window, name, std::move(read));
+    if (!loaded)
         return {};
-    }
     if (!*loaded)
         return {false, io::errorText(loaded->error()), {}, {}};
     auto added = addedTemplate(bench.session().committed().document, **loaded);
@@ -101,6 +115,25 @@ MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path)
                           [path](const io::TemplateFileOptions &options) {
                               return io::readTemplateFile(path, options);
                           });
+}
+
+MeshImported refillTemplate(QWidget &window, Workbench &bench, TemplateId id, const QString &path,
+                            bool isByReference)
+{
+    const auto loaded = readInBackground(window, QFileInfo(path).fileName(),
+                                         [path, isByReference](io::TemplateFileOptions options) {
+                                             options.isByReference = isByReference;
+                                             return io::readTemplateFile(path, options);
+                                         });
+    if (!loaded)
+        return {};
+    if (!*loaded)
+        return {false, io::errorText(loaded->error()), {}, {}};
+    auto refilled = refilledTemplate(bench.session().committed().document, id, **loaded);
+    if (!refilled)
+        return {false, io::errorText(refilled.error()), {}, {}};
+    bench.editSections(*std::move(refilled));
+    return {true, {}, remarksOf((*loaded)->messages), {}};
 }
 
 MeshImported importPicture(QWidget &window, Workbench &bench, const ClipboardPicture &picture)

@@ -2,6 +2,8 @@
 // one step.
 #pragma once
 
+#include "core/base/ids.h"
+
 #include <QString>
 
 class QWidget;
@@ -27,5 +29,10 @@ struct MeshImported
 MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path);
 /// The same of what was copied.
 MeshImported importPicture(QWidget &window, Workbench &bench, const ClipboardPicture &picture);
+
+/// What a template holds is read from another file, or from where its file is now, and lies where
+/// it lay. isByReference: the model's file has its bytes no more.
+MeshImported refillTemplate(QWidget &window, Workbench &bench, TemplateId id, const QString &path,
+                            bool isByReference);
 
 } // namespace fff::ui

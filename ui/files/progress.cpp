@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kPatience = 500; // ms without a word
 constexpr int kAskEvery = 10;  // ms
+constexpr int kSteps = 1000;   // of a bar
 
 /// A dialog that neither Esc nor its frame takes away before the work is done: it is what keeps
 /// input from the windows.
@@ -57,7 +58,7 @@ private:
 } // namespace
 
 bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
-                      const std::function<bool()> &isDone)
+                      const std::function<bool()> &isDone, const WorkShare &share)
 {
     QElapsedTimer since;
     since.start();
@@ -82,10 +83,17 @@ bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
             loop.quit();
         });
     }
+    auto *bar = new QProgressBar(&dialog);
+    bar->setRange(0, 0);
+    dialog.setBar(bar);
     timer.disconnect();
     QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
         if (isDone())
             loop.quit();
+        if (const double done = share ? share->load() : -1.0; done >= 0.0) {
+            bar->setRange(0, kSteps);
+            bar->setValue(static_cast<int>(kSteps * done));
+        }
     });
     dialog.show();
     loop.exec();

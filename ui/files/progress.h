@@ -5,6 +5,7 @@
 #include <QString>
 #include <QThreadPool>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <future>
@@ -17,10 +18,13 @@ namespace fff::ui {
 
 enum class MayCancel { No, Yes };
 
+/// How far work is, 0 … 1, told by another thread; below 0 where that is not known.
+using WorkShare = std::shared_ptr<std::atomic<double>>;
+
 /// Waits until `isDone`, which is asked now and then. No input reaches any window meanwhile but the
-/// dialog's. False when it was given up.
+/// dialog's, which shows how far it is where that is known. False when it was given up.
 bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
-                      const std::function<bool()> &isDone);
+                      const std::function<bool()> &isDone, const WorkShare &share = {});
 
 /// Work that only this thread can do, in pieces of some tenths of a second at most.
 enum class Pieces { Done, Failed, GivenUp };
@@ -33,7 +37,7 @@ Pieces doInPieces(QWidget &window, const QString &text, int count,
 /// on to its end and what it made is dropped.
 template <class Output>
 std::optional<Output> inBackground(QWidget &window, const QString &text, MayCancel mayCancel,
-                                   std::function<Output()> work)
+                                   std::function<Output()> work, const WorkShare &share = {})
 {
     auto task = std::make_shared<std::packaged_task<Output()>>(std::move(work));
     std::future<Output> result = task->get_future();
@@ -43,7 +47,8 @@ std::optional<Output> inBackground(QWidget &window, const QString &text, MayCanc
     };
     using namespace std::chrono_literals;
     // Most work is over before anyone sees; then no event loop runs at all.
-    if (!isReady(100ms) && !waitWithProgress(window, text, mayCancel, [&] { return isReady(0ms); }))
+    if (!isReady(100ms) && !waitWithProgress(
+                               window, text, mayCancel, [&] { return isReady(0ms); }, share))
         return std::nullopt;
     return result.get();
 }

@@ -94,6 +94,7 @@ private:
     void readDrawing(const QString &command, const QString &path);
     void addMesh();
     void readMesh(const QString &path);
+    void refill(TemplateId id, const QString &path, bool isLinked);
     bool pastePicture();
     void tellImported(const MeshImported &imported);
     void connectTemplates();

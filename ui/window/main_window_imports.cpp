@@ -64,6 +64,14 @@ void MainWindow::connectTemplates()
     connect(m_templates, &TemplatesDock::facetsWanted, maker, &TemplateMaker::makeFacets);
     connect(m_templates, &TemplatesDock::netWanted, maker, &TemplateMaker::makeNet);
     connect(m_templates, &TemplatesDock::traceWanted, maker, &TemplateMaker::trace);
+    connect(m_templates, &TemplatesDock::fileWanted, this, [this](TemplateId id, bool isLinked) {
+        if (const QString path = m_files->askForMesh(); !path.isEmpty())
+            refill(id, path, isLinked);
+    });
+    connect(m_templates, &TemplatesDock::keepWanted, this, [this](TemplateId id) {
+        if (const Template *one = m_bench->session().committed().document.find(id))
+            refill(id, QString::fromStdString(one->file), false);
+    });
     connect(m_templates, &TemplatesDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(&m_bench->session(), &Session::committedChanged, m_templates,
             [this, maker] { m_templates->setHasSuggestion(maker->hasSuggestion()); });
@@ -77,6 +85,16 @@ void MainWindow::readMesh(const QString &path)
     showDocument();
     m_messages->dismiss(); // of the file before
     tellImported(importMesh(*this, *m_bench, path));
+}
+
+void MainWindow::refill(TemplateId id, const QString &path, bool isLinked)
+{
+    m_messages->dismiss();
+    const MeshImported read = refillTemplate(*this, *m_bench, id, path, isLinked);
+    if (!read.error.isEmpty())
+        m_messages->show(MessageBar::Severity::Error, {read.error});
+    else if (!read.remarks.isEmpty())
+        m_messages->show(MessageBar::Severity::Warning, {read.remarks});
 }
 
 /// False: there is none in the clipboard.
