@@ -67,6 +67,12 @@ void FigureTool::setCanvas(CanvasChoice canvas, const GestureContext &context)
     const bool isFirst = context.model.sectionCount() == 0;
     m_targets.emplace(frame, isFirst ? canvasGrid(frame, view) : ownGrid(frame, view));
     m_targets->addModel(context.model, context.view, {});
+    m_guides = TemplateGuides(context.model, context.pulled.get(), frame);
+    // As near as points: a stroke is meant to follow a guide, a shape only to lie at one.
+    m_targets->setGuides(m_guides.loops(), context.settings.guideReach, kSnapReach);
+    m_targets->addGuideCrossings(context.model, context.view,
+                                 canvas.target.section.isValid() ? SectionRef(canvas.target.section)
+                                                                 : SectionRef());
     m_canvas = std::move(canvas);
     m_target = m_canvas.target;
     m_middle.reset();
@@ -190,6 +196,7 @@ void FigureTool::mark(GestureContext &context, bool hasCursor)
         return;
     Signs &signs = context.overlay.held;
     signs.add(sign::Rulers{m_targets->grid()});
+    m_guides.show(nullptr, false, signs);
     if (m_middle && (hasCursor || m_press))
         signs.add(sign::Handle{SignRole::Place, m_canvas.target.canvas.toWorld(m_middle->point)});
     if (m_figure)

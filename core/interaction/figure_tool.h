@@ -3,7 +3,8 @@
 // the canvas that was picked or faces the view. Which kind says InteractionSettings::figure, which
 // buttons of the bar change.
 //
-//     waiting     the middle snaps to points, lines and the grid, as the pen's points do
+//     waiting     the middle snaps to points, guides of templates, lines and the grid, as the pen's
+//                 points do
 //     dragging    half the size to either side, in steps of the grid; Shift: as wide as high.
 //                 A click makes one of the usual size. The release is one step of the history.
 #pragma once
@@ -11,6 +12,7 @@
 #include "core/geometry/figure.h"
 #include "core/interaction/snapping.h"
 #include "core/interaction/solo_view.h"
+#include "core/interaction/template_guides.h"
 #include "core/interaction/tool.h"
 
 namespace fff::hints {
@@ -55,7 +57,8 @@ private:
     GestureReply made(const Figure &figure, bool isOver, GestureContext &context);
 
     CanvasChoice m_canvas{ContourTarget{}, std::string(kCommand)};
-    ContourTarget m_target; // what a press draws: of the canvas, or a hole in what lies in it
+    ContourTarget m_target;  // what a press draws: of the canvas, or a hole in what lies in it
+    TemplateGuides m_guides; // on the canvas
     std::optional<SnapTargets> m_targets;
     SoloView m_solo;         // the section that is cut
     bool m_isPicked = false; // the canvas; else it faces the view

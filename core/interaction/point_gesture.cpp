@@ -45,7 +45,9 @@ PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
         m_moved = {target.point};
     if (target.kind == PointTarget::Kind::Anchor && context.settings.snaps) {
         m_guides = TemplateGuides(context.model, context.pulled.get(), m_frame);
-        m_loops = m_guides.loops();
+        m_targets.emplace(m_frame, ownGrid(m_frame, context.camera.orientation));
+        m_targets->setGuides(m_guides.loops(), context.settings.guideReach, kSnapReach);
+        m_targets->addGuideCrossings(context.model, context.view, ref);
     }
     m_pressed = placeOnPlane(m_frame, context.camera, context.viewport, press.position)
                     .value_or(target.place);
@@ -67,12 +69,14 @@ Vec2 PointGesture::straightened(const Vec2 &by) const
 }
 
 /// To where the point that is held lies on a guide.
-Vec2 PointGesture::caught(const Vec2 &by, const GestureContext &context) const
+Vec2 PointGesture::drawnTo(const Vec2 &by, const GestureContext &context)
 {
-    const Vec2 from = m_loops ? position(*m_shape, m_target.point) : Vec2(Vec2::Zero());
-    const auto place =
-        nearestOnLoops(from + by, m_loops, kSnapReach * context.camera.millimetresPerPixel);
-    return place ? Vec2(*place - from) : by;
+    if (!m_targets)
+        return by;
+    const Vec2 from = position(*m_shape, m_target.point);
+    m_snap =
+        caught(from + by, *m_targets, context.camera.millimetresPerPixel, m_snap).value_or(Snap());
+    return m_snap.kind == Snap::Kind::None ? by : Vec2(m_snap.point - from);
 }
 
 PointEdit PointGesture::edited(const Vec2 &by, bool breaks, const Document &document,
@@ -108,7 +112,7 @@ GestureReply PointGesture::handle(const PointerEvent &event, GestureContext &con
     GestureReply reply;
     const auto place = placeOnPlane(m_frame, context.camera, context.viewport, event.position);
     Vec2 by = place ? Vec2(*place - m_pressed) : Vec2::Zero();
-    by = event.modifiers.shift ? straightened(by) : caught(by, context);
+    by = event.modifiers.shift ? straightened(by) : drawnTo(by, context);
     context.overlay.drawn.clear();
     m_guides.show(nullptr, false, context.overlay.drawn);
     // A release where the last move was commits the very document that is shown, slits and all.

@@ -8,8 +8,8 @@
 
 namespace fff {
 
-/// A point that comes near to where the plane cuts a template is caught by that (kSnapReach), as
-/// long as Snap is on.
+/// A point that comes near to where the plane cuts a template is caught by that, and on it by where
+/// planes of other sections cross it (kSnapReach), as long as Snap is on.
 ///
 /// Every move starts from the committed shape. What would cross itself is not shown: the drag stays
 /// at the last place where the shape was whole, and says so. Ctrl: anchors leave their handles
@@ -32,7 +32,7 @@ private:
     PointEdit edited(const Vec2 &by, bool breaks, const Document &document,
                      const PointRules &rules) const;
     Vec2 straightened(const Vec2 &by) const;
-    Vec2 caught(const Vec2 &by, const GestureContext &context) const;
+    Vec2 drawnTo(const Vec2 &by, const GestureContext &context);
 
     /// What the newest move asked for.
     struct Shown
@@ -49,7 +49,8 @@ private:
     ShapePointer m_shape;
     Frame m_frame;
     TemplateGuides m_guides;
-    GuideLoops m_loops;                          // of them
+    std::optional<SnapTargets> m_targets;        // on them; without Snap none
+    Snap m_snap;                                 // that the newest move was caught by
     std::vector<PointAddress> m_before, m_moved; // selected
     Vec2 m_pressed = Vec2::Zero();               // frame coordinates
     std::optional<EditedPoints> m_last;          // the newest that is whole

@@ -247,18 +247,25 @@ void SnapTargets::addGuideCrossings(const Model &model, const ViewState &view,
     }
 }
 
-Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPerPixel,
-             const Snap &before)
+std::optional<Snap> caught(const Vec2 &point, const SnapTargets &targets,
+                           double millimetresPerPixel, const Snap &before)
 {
     const double reach = kSnapReach * millimetresPerPixel;
     if (const std::optional<Vec2> target = nearestPoint(point, targets, reach, before))
-        return {Snap::Kind::Point, *target, {}, false};
-
+        return Snap{Snap::Kind::Point, *target, {}, false};
     const double holding = before.kind == Snap::Kind::Guide ? kSnapRelease : 1.0;
-    const double guiding = holding * guideReach(targets.guideReach(), millimetresPerPixel);
+    const double guiding = holding * targets.guideReach(millimetresPerPixel);
     if (const std::optional<Vec2> place = nearestOnLoops(point, targets.guides(), guiding))
-        return {Snap::Kind::Guide, *place, {}, false};
+        return Snap{Snap::Kind::Guide, *place, {}, false};
+    return std::nullopt;
+}
 
+Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPerPixel,
+             const Snap &before)
+{
+    if (std::optional<Snap> strongest = caught(point, targets, millimetresPerPixel, before))
+        return *std::move(strongest);
+    const double reach = kSnapReach * millimetresPerPixel;
     const std::vector<Line> lines = linesOf(targets);
     const double step = gridStep(millimetresPerPixel);
     Vec2 at = targets.toGrid(point);

@@ -42,9 +42,9 @@ inline constexpr double kSnapReach = 8.0, kSnapRelease = 1.3;
 /// The same of where the canvas cuts a template: mm, where a person wants nothing else, but never
 /// more than so many px.
 inline constexpr double kGuideReach = 12.7, kGuidePixels = 24.0;
-inline double guideReach(double wanted, double millimetresPerPixel)
+inline double guideReach(double wanted, double millimetresPerPixel, double pixels = kGuidePixels)
 {
-    return std::min(wanted, kGuidePixels * millimetresPerPixel);
+    return std::min(wanted, pixels * millimetresPerPixel);
 }
 
 /// Lines on a canvas, mm; null: none.
@@ -76,12 +76,13 @@ public:
     /// sections that lie in it their points; ends of slits that lie in it. `except` adds nothing.
     void addModel(const Model &model, const ViewState &view, const SectionRef &except);
 
-    /// What the canvas cuts of templates.
-    /// reach: mm, see guideReach()
-    void setGuides(GuideLoops loops, double reach)
+    /// What the canvas cuts of templates, which catches what is less than `reach` mm and so many px
+    /// away.
+    void setGuides(GuideLoops loops, double reach, double pixels = kGuidePixels)
     {
         m_guides = std::move(loops);
         m_guideReach = reach;
+        m_guidePixels = pixels;
     }
 
     /// Where planes of sections that are seen cross the guides, as far away as they may be: there a
@@ -92,7 +93,11 @@ public:
     const Frame &canvas() const { return m_canvas; }
     const Frame &grid() const { return m_grid; }
     const GuideLoops &guides() const { return m_guides; }
-    double guideReach() const { return m_guideReach; }
+    /// mm, as it is seen.
+    double guideReach(double millimetresPerPixel) const
+    {
+        return fff::guideReach(m_guideReach, millimetresPerPixel, m_guidePixels);
+    }
     const std::vector<Vec2> &points() const { return m_points; }
     const std::vector<Vec2> &aligned() const { return m_aligned; }
     bool meetsGround() const { return m_ground.has_value(); }
@@ -107,7 +112,7 @@ private:
 
     Frame m_canvas, m_grid;
     std::vector<Vec2> m_points, m_aligned;
-    double m_guideReach = kGuideReach; // mm
+    double m_guideReach = kGuideReach, m_guidePixels = kGuidePixels; // mm, px
     GuideLoops m_guides;
     std::optional<double> m_ground;
 };
@@ -133,8 +138,12 @@ struct Snap
 Snap snapped(const Vec2 &point, const SnapTargets &targets, double millimetresPerPixel,
              const Snap &before);
 
-/// The same in one of the eight directions of the compass from `from`, the nearest one: on that
-/// line only. Without targets it goes nowhere else.
+/// Only the first two of these, where there is one: for what is dragged freely but for them.
+std::optional<Snap> caught(const Vec2 &point, const SnapTargets &targets,
+                           double millimetresPerPixel, const Snap &before);
+
+/// As snapped(), in one of the eight directions of the compass from `from`, the nearest one: on
+/// that line only. Without targets it goes nowhere else.
 Snap held(const Vec2 &point, const Vec2 &from, const SnapTargets &targets,
           double millimetresPerPixel, bool snaps);
 

@@ -4,6 +4,7 @@
 #include "core/assembly/joint_state.h"
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/template_guides.h"
+#include "core/model/figures.h"
 #include "core/model/point_edits.h"
 #include "core/model/template_edits.h"
 #include "core/templates/template_cut.h"
@@ -98,6 +99,17 @@ void drawRound(Desk &desk, double off, double share, Modifiers modifiers = {})
     desk.release(desk.cursor, Button::Left, modifiers);
 }
 
+constexpr double kAcross = 20.0; // mm
+
+/// A plate that stands across the first plane, away from the outline of the ball.
+void addAcross(Desk &desk)
+{
+    const Frame frame{{kAcross, kFirstPlaneHeight, 0.0}, -Vec3::UnitZ(), Vec3::UnitY()};
+    desk.session.commit(QStringLiteral("Draw"),
+                        withSection(desk.session.committed().document,
+                                    polygonShape(rectangle(-30, -15, 30, 15)), frame));
+}
+
 const sign::Guides *guidesShown(const Desk &desk)
 {
     return desk.interaction.overlay().drawn.find<sign::Guides>();
@@ -123,6 +135,8 @@ private Q_SLOTS:
     void hiddenOnesAreNoGuides();
     void pointsOfThePenLieOnTheMesh();
     void draggedPointsComeToLieOnTheMesh();
+    void draggedPointsAreCaughtWherePlanesCross();
+    void shapesLieAtGuides();
     void undoGivesBackWhatWasThere();
     void linesOfADrawingAreGuides();
     void ofADrawingAllAtOnce();
@@ -348,6 +362,64 @@ void TestTemplateStrokes::draggedPointsComeToLieOnTheMesh()
     desk.interaction.settings().snaps = false;
     desk.drag({desk.plate(before.x(), before.y()), desk.plate(nearBall.x(), nearBall.y())});
     QVERIFY((corner() - nearBall).norm() < 1e-6);
+}
+
+// Wrong: a contour that goes through where two sections meet is a little off the other one's.
+void TestTemplateStrokes::draggedPointsAreCaughtWherePlanesCross()
+{
+    const Vec2 crossing(kAcross, std::sqrt(kBall * kBall - kAcross * kAcross));
+    Desk desk;
+    addBall(desk);
+    desk.addPlate(0.0, {30, 20});
+    const SectionId plate = desk.sections().front()->id;
+    addAcross(desk);
+    desk.interaction.select({plate});
+    const auto corner = [&] {
+        return position(*desk.session.committed().document.find(plate)->shape, {0, 2});
+    };
+    const Vec2 before = corner(), near = crossing + Vec2(0.6, -0.4);
+    desk.drag({desk.plate(before.x(), before.y()), desk.plate(near.x(), near.y())});
+    QVERIFY((corner() - crossing).norm() < 0.05);
+    desk.session.history()->undo();
+    // Past it the guide alone; hidden, the other section draws nothing to it.
+    desk.drag({desk.plate(before.x(), before.y()), desk.plate(42.0, 44.0)});
+    QVERIFY(std::abs(corner().norm() - kBall) < 0.05);
+    QVERIFY((corner() - crossing).norm() > 10.0);
+    desk.session.history()->undo();
+    ViewState view = desk.interaction.view();
+    view.hidden.insert(desk.sections().back()->ref());
+    desk.interaction.setView(view);
+    desk.interaction.select({plate});
+    desk.drag({desk.plate(before.x(), before.y()), desk.plate(near.x(), near.y())});
+    QVERIFY(std::abs(corner().norm() - kBall) < 0.05);
+    QVERIFY((corner() - crossing).norm() > 0.3);
+}
+
+// The same of the middle of a shape.
+void TestTemplateStrokes::shapesLieAtGuides()
+{
+    const Vec2 crossing(kAcross, std::sqrt(kBall * kBall - kAcross * kAcross));
+    for (const bool isFree : {false, true}) {
+        Desk desk;
+        addBall(desk);
+        addAcross(desk);
+        desk.run("section.addShape", {{"figure", "circle"}});
+        const auto middle = [&desk] {
+            const Section &section = *desk.sections().back();
+            const Vec3 at = section.frame.toWorld(figureOf(section, 0)->centre);
+            return Vec2(at.x(), at.y() - kFirstPlaneHeight);
+        };
+        desk.interaction.settings().snaps = !isFree;
+        desk.moveTo(desk.plate(crossing.x() + 0.6, crossing.y() - 0.4));
+        QVERIFY(desk.interaction.overlay().find<sign::Guides>());
+        desk.click(desk.plate(crossing.x() + 0.6, crossing.y() - 0.4));
+        QCOMPARE(desk.sections().size(), std::size_t(2));
+        QCOMPARE((middle() - crossing).norm() < 0.05, !isFree);
+        desk.run("edit.undo");
+        desk.click(desk.plate(-42.0, 44.0));
+        QCOMPARE(desk.sections().size(), std::size_t(2));
+        QCOMPARE(std::abs(middle().norm() - kBall) < 0.05, !isFree);
+    }
 }
 
 void TestTemplateStrokes::undoGivesBackWhatWasThere()
