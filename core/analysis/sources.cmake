@@ -28,6 +28,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/joining.cpp
     analysis/findings/loose_joints.cpp
     analysis/findings/loose_pieces.cpp
+    analysis/findings/moved_planes.cpp
     analysis/findings/moving_slits.cpp
     analysis/findings/narrow_slits.cpp
     analysis/findings/neck_growth.cpp

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/connection.h"
 
 #include "core/analysis/findings/joining.h"
+#include "core/analysis/findings/moved_planes.h"
 #include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/gap.h"
 #include "core/model/edit_words.h"
@@ -90,6 +91,8 @@ std::vector<FindingAction> mendsOf(const Finding &finding, const Analysis &analy
         all.push_back({&kJoinWithTabs, *nearest});
     if (const auto move = moveToNearest(finding, nearest, analysis))
         all.push_back(*move);
+    for (const FindingAction &action : movedPlanes(finding, analysis.model.document))
+        all.push_back(action);
     all.push_back({&kDeleteSections});
     return all;
 }

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/loose_pieces.h"
 
 #include "core/analysis/findings/ending_before.h"
+#include "core/analysis/findings/moved_planes.h"
 #include "core/assembly/cut_section.h"
 #include "core/assembly/joint_editing.h"
 #include "core/operations/evaluate.h"
@@ -97,9 +98,12 @@ std::optional<FindingEdit> turned(const FindingAction &, const Finding &finding,
     return best;
 }
 
-std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
+std::vector<FindingAction> turnSlits(const Finding &finding, const Analysis &analysis)
 {
-    return {{&kTurnSlits}, {&kEndBefore}};
+    std::vector<FindingAction> actions{{&kTurnSlits}, {&kEndBefore}};
+    for (const FindingAction &action : movedPlanes(finding, analysis.model.document))
+        actions.push_back(action);
+    return actions;
 }
 
 constexpr Text kLetOneEnd =

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/order.h"
 
 #include "core/analysis/findings/joining.h"
+#include "core/analysis/findings/moved_planes.h"
 #include "core/assembly/cycles.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
@@ -97,12 +98,14 @@ std::optional<FindingEdit> assemblable(const FindingAction &, const Finding &,
     return FindingEdit{kMakeStep, flips->document, said};
 }
 
-std::vector<FindingAction> makeAssemblable(const Finding &finding, const Analysis &)
+std::vector<FindingAction> makeAssemblable(const Finding &finding, const Analysis &analysis)
 {
     std::vector<FindingAction> actions{{&kMakeAssemblable}};
     if (finding.sections.size() == 2) // one of them stops the other
         for (const SectionRef &section : finding.sections)
             actions.push_back({&kTrim, section});
+    for (const FindingAction &action : movedPlanes(finding, analysis.model.document))
+        actions.push_back(action);
     return actions;
 }
 
