@@ -1472,6 +1472,16 @@
         <source>In the ground</source>
         <translation>Im Boden</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Ebenen um %1 % versetzen</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>Eine Ebene mehr je Richtung</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4946,6 +4956,14 @@
             <numerusform>%n Zahlen folgen nicht mehr dem, was für sie eingegeben war.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>eine Zeichnung</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6788,10 +6806,6 @@
         <translation>quer zu Y und Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>ringsum</translation>
-    </message>
-    <message>
         <source>Slices</source>
         <translation>Schnitte</translation>
     </message>
@@ -6842,6 +6856,30 @@
     <message>
         <source>In mm²; smaller ones are left out, and those that are thin all over</source>
         <translation>In mm²; kleinere werden weggelassen, und solche, die überall dünn sind</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>wie eine Scheibe</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>um Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>um X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>um Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Wie</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Die Scheibe anklicken, zu der sie parallel sein sollen.</translation>
     </message>
 </context>
 <context>
@@ -7957,6 +7995,16 @@
         <source>Delete the preset %1</source>
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>Vorgabe %1 löschen</translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Ebenen von %1 versetzen</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Zahl der Ebenen von %1 ändern</translation>
     </message>
 </context>
 <context>
@@ -15564,6 +15612,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>wird jedes Mal gelesen</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>im Modell enthalten</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Datei suchen …</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Von dort lesen, wo die Datei jetzt ist; die Vorlage bleibt an ihrem Platz</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Mit Datei verknüpfen …</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>Aus der Datei des Modells weglassen, die kleiner wird, und jedes Mal von ihrem Ort lesen</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>Im Modell behalten</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>In die Datei des Modells aufnehmen, damit sie auch auf anderen Computern da ist</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15649,18 +15740,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>In Scheiben schneiden, die ihm folgen</translation>
     </message>
     <message>
-        <source>Position X</source>
-        <translation>Position X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Position Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Position Z</translation>
-    </message>
-    <message>
         <source>its file is missing</source>
         <translation>ihre Datei fehlt</translation>
     </message>
@@ -15710,6 +15789,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n Linie</numerusform>
             <numerusform>%n Linien</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X der Mitte</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y der Mitte</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z der Mitte</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Um X gedreht, zuerst</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Um Y gedreht, nach X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Um Z gedreht, zuletzt</translation>
     </message>
 </context>
 <context>

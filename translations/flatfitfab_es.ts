@@ -1472,6 +1472,16 @@
         <source>In the ground</source>
         <translation>Dentro del suelo</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Desplazar los planos un %1 %</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>Un plano más en cada dirección</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4946,6 +4956,14 @@
             <numerusform>%n números ya no siguen lo que se había escrito.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>una imagen</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>un dibujo</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6720,10 +6738,6 @@
         <translation>a través de Y y Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>alrededor</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>a lo largo de una curva</translation>
     </message>
@@ -6842,6 +6856,30 @@
     <message>
         <source>Slit</source>
         <translation>Ranura</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>como una sección</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>alrededor de Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>alrededor de X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>alrededor de Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Como</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Haz clic en la sección a la que deben ser paralelas.</translation>
     </message>
 </context>
 <context>
@@ -7957,6 +7995,16 @@
             <numerusform>Quitar los agujeros de %n sección</numerusform>
             <numerusform>Quitar los agujeros de %n secciones</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Desplazar planos de %1</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Cambiar el número de planos de %1</translation>
     </message>
 </context>
 <context>
@@ -15564,6 +15612,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>se lee cada vez</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>guardado en el modelo</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Buscar su archivo…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Leerla de donde está ahora su archivo; queda en su sitio</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Enlazar con su archivo…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>No guardarla en el archivo del modelo, que así ocupa menos, y leerla cada vez de donde está</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>Guardarla en el modelo</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>Incluirla en el archivo del modelo, para que esté también en otros ordenadores</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15623,18 +15714,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>Tamaño</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Posición X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Posición Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Posición Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15710,6 +15789,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n línea</numerusform>
             <numerusform>%n líneas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X de su centro</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y de su centro</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z de su centro</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Girada alrededor de X, primero</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Girada alrededor de Y, después de X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Girada alrededor de Z, al final</translation>
     </message>
 </context>
 <context>

@@ -1472,6 +1472,16 @@
         <source>In the ground</source>
         <translation>Dans le sol</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Décaler les plans de %1 %</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>Un plan de plus par direction</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4946,6 +4956,14 @@
             <numerusform>%n nombres ne suivent plus ce qui avait été saisi.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>une image</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>un dessin</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6720,10 +6738,6 @@
         <translation>en travers de Y et Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>autour d’un axe</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>le long d’une courbe</translation>
     </message>
@@ -6842,6 +6856,30 @@
     <message>
         <source>Slit</source>
         <translation>Fente</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>comme une section</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>autour de Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>autour de X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>autour de Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Comme</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Cliquez sur la section à laquelle elles doivent être parallèles.</translation>
     </message>
 </context>
 <context>
@@ -7957,6 +7995,16 @@
             <numerusform>Supprimer les trous de %n section</numerusform>
             <numerusform>Supprimer les trous de %n sections</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Décaler les plans de %1</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Modifier le nombre de plans de %1</translation>
     </message>
 </context>
 <context>
@@ -15564,6 +15612,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>introuvable</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>relu à chaque fois</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>gardé dans le modèle</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Retrouver son fichier…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Le lire là où se trouve son fichier maintenant ; il reste à sa place</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Lier à son fichier…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>Ne plus le garder dans le fichier du modèle, qui devient plus petit, et le relire à chaque fois</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>Le garder dans le modèle</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>Le mettre dans le fichier du modèle, pour qu’il soit là sur d’autres ordinateurs</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15623,18 +15714,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>Taille</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Position X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Position Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Position Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15710,6 +15789,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n ligne</numerusform>
             <numerusform>%n lignes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X de son milieu</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y de son milieu</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z de son milieu</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Tourné autour de X, en premier</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Tourné autour de Y, après X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Tourné autour de Z, en dernier</translation>
     </message>
 </context>
 <context>

@@ -1472,6 +1472,16 @@
         <source>In the ground</source>
         <translation>Nel suolo</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Sposta i piani del %1 %</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>Un piano in più per direzione</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4946,6 +4956,14 @@
             <numerusform>%n numeri non seguono più ciò che era stato scritto.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>un’immagine</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>un disegno</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6720,10 +6738,6 @@
         <translation>perpendicolari a Y e Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>tutt’intorno</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>lungo una curva</translation>
     </message>
@@ -6842,6 +6856,30 @@
     <message>
         <source>Slit</source>
         <translation>Fessura</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>come una sezione</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>attorno a Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>attorno a X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>attorno a Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Come</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Fai clic sulla sezione a cui devono essere parallele.</translation>
     </message>
 </context>
 <context>
@@ -7957,6 +7995,16 @@
             <numerusform>Rimuovi i fori di %n sezione</numerusform>
             <numerusform>Rimuovi i fori di %n sezioni</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Sposta i piani di %1</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Cambia il numero di piani di %1</translation>
     </message>
 </context>
 <context>
@@ -15564,6 +15612,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>mancante</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>letto ogni volta</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>contenuto nel modello</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Trova il suo file…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Leggilo da dove si trova ora il suo file; resta al suo posto</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Collega al suo file…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>Lasciarlo fuori dal file del modello, che diventa più piccolo, e leggerlo ogni volta da dove si trova</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>Tienilo nel modello</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>Mettilo nel file del modello, così c’è anche su altri computer</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15623,18 +15714,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>Misura</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Posizione X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Posizione Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Posizione Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15710,6 +15789,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n linea</numerusform>
             <numerusform>%n linee</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posizione</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X del suo centro</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y del suo centro</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z del suo centro</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotazione</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Ruotato attorno a X, per primo</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Ruotato attorno a Y, dopo X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Ruotato attorno a Z, per ultimo</translation>
     </message>
 </context>
 <context>

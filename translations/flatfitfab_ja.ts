@@ -1445,6 +1445,16 @@
         <source>In the ground</source>
         <translation>地面に埋まっている</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>平面を %1 % ずらす</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>各方向に平面を 1 つ増やす</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4908,6 +4918,14 @@
             <numerusform>%n 個の数値は、入力された式に従わなくなりました。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>図面</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6662,10 +6680,6 @@
         <translation>Y と Z に垂直</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>放射状</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>曲線に沿って</translation>
     </message>
@@ -6784,6 +6798,30 @@
     <message>
         <source>Slit</source>
         <translation>スリット</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>板に平行</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>Y のまわり</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>X のまわり</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>Z のまわり</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>基準の板</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>平行にする基準の板をクリックしてください。</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +7903,16 @@
         <translation>
             <numerusform>板 %n 枚の穴をなくす</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>%1 の平面をずらす</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>%1 の平面数を変更</translation>
     </message>
 </context>
 <context>
@@ -15434,6 +15482,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>毎回読み込み</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>モデルに保存</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>ファイルを探す…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>今ファイルがある場所から読み込みます。位置は変わりません</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>ファイルにリンク…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>モデルのファイルに含めず（小さくなります）、毎回元の場所から読み込みます</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>モデルに保存する</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>ほかのコンピューターでも使えるように、モデルのファイルに含めます</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15493,18 +15584,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>大きさ</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>位置 X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>位置 Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>位置 Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15578,6 +15657,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>
             <numerusform>線 %n 本</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>中心の X</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>中心の Y</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>中心の Z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>X のまわりの回転（最初）</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Y のまわりの回転（X の後）</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Z のまわりの回転（最後）</translation>
     </message>
 </context>
 <context>

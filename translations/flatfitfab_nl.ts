@@ -1472,6 +1472,16 @@
         <source>In the ground</source>
         <translation>In de grond</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Vlakken %1 % verschuiven</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>Eén vlak meer per richting</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4946,6 +4956,14 @@
             <numerusform>%n getallen volgen niet meer wat ervoor was getypt.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>een afbeelding</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>een tekening</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6720,10 +6738,6 @@
         <translation>dwars op Y en Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>rondom</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>langs een kromme</translation>
     </message>
@@ -6842,6 +6856,30 @@
     <message>
         <source>Slit</source>
         <translation>Sleuf</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>zoals een sectie</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>rond Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>rond X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>rond Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Zoals</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Klik op de sectie waaraan ze evenwijdig moeten zijn.</translation>
     </message>
 </context>
 <context>
@@ -7957,6 +7995,16 @@
             <numerusform>Gaten van %n sectie verwijderen</numerusform>
             <numerusform>Gaten van %n secties verwijderen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Vlakken van %1 verschuiven</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Aantal vlakken van %1 wijzigen</translation>
     </message>
 </context>
 <context>
@@ -15564,6 +15612,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>ontbreekt</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>wordt telkens gelezen</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>bewaard in het model</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Bestand zoeken…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Lezen waar het bestand nu staat; het sjabloon blijft op zijn plaats</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Koppelen aan bestand…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>Uit het bestand van het model laten, dat kleiner wordt, en telkens lezen waar het staat</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>In het model bewaren</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>In het bestand van het model zetten, zodat het er ook op andere computers is</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15623,18 +15714,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>Grootte</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Positie X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Positie Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Positie Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15710,6 +15789,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n lijn</numerusform>
             <numerusform>%n lijnen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Positie</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X van het midden</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y van het midden</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z van het midden</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Draaiing</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Gedraaid om X, als eerste</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Gedraaid om Y, na X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Gedraaid om Z, als laatste</translation>
     </message>
 </context>
 <context>

@@ -1499,6 +1499,16 @@
         <source>In the ground</source>
         <translation>W podłożu</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Przesuń płaszczyzny o %1 %</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>O jedną płaszczyznę więcej w każdym kierunku</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4984,6 +4994,14 @@
             <numerusform>%n liczb nie zależy już od tego, co dla nich wpisano.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>obraz</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>rysunek</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6778,10 +6796,6 @@
         <translation>w poprzek Y i Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>dookoła</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>wzdłuż krzywej</translation>
     </message>
@@ -6900,6 +6914,30 @@
     <message>
         <source>Slit</source>
         <translation>Szczelina</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>jak płytka</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>wokół Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>wokół X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>wokół Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Jak</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Kliknij płytkę, do której mają być równoległe.</translation>
     </message>
 </context>
 <context>
@@ -8049,6 +8087,16 @@
             <numerusform>Usuń otwory %n płytek</numerusform>
             <numerusform>Usuń otwory %n płytek</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Przesuń płaszczyzny: %1</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Zmień liczbę płaszczyzn: %1</translation>
     </message>
 </context>
 <context>
@@ -15694,6 +15742,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>Plik</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>czytany za każdym razem</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>zapisany w modelu</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Znajdź plik…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Czyta podkład z miejsca, gdzie plik jest teraz; podkład zostaje na miejscu</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Połącz z plikiem…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>Nie zapisuje go w pliku modelu, który będzie mniejszy, i czyta go za każdym razem z jego miejsca</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>Zapisz w modelu</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>Zapisuje go w pliku modelu, żeby był też na innych komputerach</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15753,18 +15844,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>Rozmiar</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Pozycja X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Pozycja Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Pozycja Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15842,6 +15921,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n linie</numerusform>
             <numerusform>%n linii</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Pozycja</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X środka</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y środka</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z środka</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Obrót</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Obrócony wokół X, najpierw</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Obrócony wokół Y, po X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Obrócony wokół Z, na końcu</translation>
     </message>
 </context>
 <context>

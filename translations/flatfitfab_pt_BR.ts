@@ -1472,6 +1472,16 @@
         <source>In the ground</source>
         <translation>Dentro do chão</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>Deslocar os planos em %1 %</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>Mais um plano em cada direção</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4946,6 +4956,14 @@
             <numerusform>%n números não seguem mais o que foi digitado.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>uma imagem</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>um desenho</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6720,10 +6738,6 @@
         <translation>transversais a Y e Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>ao redor</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>ao longo de uma curva</translation>
     </message>
@@ -6842,6 +6856,30 @@
     <message>
         <source>Slit</source>
         <translation>Fenda</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>como uma seção</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>em torno de Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>em torno de X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>em torno de Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>Como</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>Clique na seção à qual elas devem ser paralelas.</translation>
     </message>
 </context>
 <context>
@@ -7957,6 +7995,16 @@
             <numerusform>Remover furos de %n seção</numerusform>
             <numerusform>Remover furos de %n seções</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Deslocar planos de %1</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Alterar número de planos de %1</translation>
     </message>
 </context>
 <context>
@@ -15564,6 +15612,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>Arquivo</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>ausente</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>lido a cada vez</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>guardado no modelo</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>Localizar o arquivo…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>Ler de onde o arquivo está agora; ela fica no mesmo lugar</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>Vincular ao arquivo…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>Deixá-la fora do arquivo do modelo, que fica menor, e lê-la de onde está a cada vez</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>Guardá-la no modelo</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>Colocá-la no arquivo do modelo, para que esteja também em outros computadores</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15623,18 +15714,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>Tamanho</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Posição X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Posição Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Posição Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15710,6 +15789,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n linha</numerusform>
             <numerusform>%n linhas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posição</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>X do meio dela</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>Y do meio dela</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>Z do meio dela</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>Girada em torno de X, primeiro</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>Girada em torno de Y, depois de X</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>Girada em torno de Z, por último</translation>
     </message>
 </context>
 <context>

@@ -1445,6 +1445,16 @@
         <source>In the ground</source>
         <translation>陷入地面</translation>
     </message>
+    <message>
+        <source>Shift the planes by %1 %</source>
+        <extracomment>of the slices of a mesh; %1 is a number, a part of the distance between two of them</extracomment>
+        <translation>平面偏移 %1 %</translation>
+    </message>
+    <message>
+        <source>One plane more each way</source>
+        <extracomment>of the slices of a mesh</extracomment>
+        <translation>每个方向多一个平面</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -4908,6 +4918,14 @@
             <numerusform>%n 个数值不再跟随为它们输入的内容。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>a picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>a drawing</source>
+        <translation>图稿</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6662,10 +6680,6 @@
         <translation>垂直于 Y 和 Z</translation>
     </message>
     <message>
-        <source>around</source>
-        <translation>绕轴一圈</translation>
-    </message>
-    <message>
         <source>along a curve</source>
         <translation>沿曲线</translation>
     </message>
@@ -6784,6 +6798,30 @@
     <message>
         <source>Slit</source>
         <translation>插槽</translation>
+    </message>
+    <message>
+        <source>like a section</source>
+        <translation>与插片平行</translation>
+    </message>
+    <message>
+        <source>around Y</source>
+        <translation>绕 Y</translation>
+    </message>
+    <message>
+        <source>around X</source>
+        <translation>绕 X</translation>
+    </message>
+    <message>
+        <source>around Z</source>
+        <translation>绕 Z</translation>
+    </message>
+    <message>
+        <source>Like</source>
+        <translation>参照</translation>
+    </message>
+    <message>
+        <source>Click the section that they should be parallel to.</source>
+        <translation>点击它们应与之平行的插片。</translation>
     </message>
 </context>
 <context>
@@ -7865,6 +7903,16 @@
         <translation>
             <numerusform>移除 %n 个插片的孔</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Shift planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>偏移 %1 的平面</translation>
+    </message>
+    <message>
+        <source>Change number of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>更改 %1 的平面数</translation>
     </message>
 </context>
 <context>
@@ -15434,6 +15482,49 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
 </context>
 <context>
+    <name>fff::ui::TemplateSource</name>
+    <message>
+        <source>Its file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>read each time</source>
+        <translation>每次读取</translation>
+    </message>
+    <message>
+        <source>kept in the model</source>
+        <translation>保存在模型中</translation>
+    </message>
+    <message>
+        <source>Find its file…</source>
+        <translation>查找文件…</translation>
+    </message>
+    <message>
+        <source>Read it from where its file is now; it lies where it lay</source>
+        <translation>从文件现在的位置读取；它仍在原处</translation>
+    </message>
+    <message>
+        <source>Link to its file…</source>
+        <translation>链接到文件…</translation>
+    </message>
+    <message>
+        <source>Leave it out of the model&apos;s file, which gets smaller, and read it from where it is each time</source>
+        <translation>不放进模型文件（文件变小），每次从原位置读取</translation>
+    </message>
+    <message>
+        <source>Keep it in the model</source>
+        <translation>保存到模型中</translation>
+    </message>
+    <message>
+        <source>Put it into the model&apos;s file, so that it is there on other computers</source>
+        <translation>放进模型文件，这样在其他电脑上也有</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::TemplateTools</name>
     <message>
         <source>Handles</source>
@@ -15493,18 +15584,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Size</source>
         <translation>大小</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>位置 X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>位置 Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>位置 Z</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -15578,6 +15657,42 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>
             <numerusform>%n 条线</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>X of its middle</source>
+        <translation>中心 X</translation>
+    </message>
+    <message>
+        <source>Y of its middle</source>
+        <translation>中心 Y</translation>
+    </message>
+    <message>
+        <source>Z of its middle</source>
+        <translation>中心 Z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>转动</translation>
+    </message>
+    <message>
+        <source>Turned about X, first</source>
+        <translation>绕 X 转动，最先</translation>
+    </message>
+    <message>
+        <source>Turned about Y, after X</source>
+        <translation>绕 Y 转动，在 X 之后</translation>
+    </message>
+    <message>
+        <source>Turned about Z, last</source>
+        <translation>绕 Z 转动，最后</translation>
     </message>
 </context>
 <context>
