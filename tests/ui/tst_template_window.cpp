@@ -174,10 +174,10 @@ void TestTemplateWindow::itsFileIsFoundLinkedAndKept()
     gone.file = "/nowhere/gone.stl";
     gone.frame.origin = {5.0, 60.0, 0.0};
     gone.scale = 0.5;
-    session().commit(QStringLiteral("Add"),
-                     addTemplate(session().committed().document, gone).value());
     auto *dock = m_window->findChild<QDockWidget *>(QStringLiteral("templatesDock"));
-    dock->show();
+    dock->hide();
+    session().reset(addTemplate(newDocument(), gone).value());
+    QTRY_VERIFY(dock->isVisible()); // whoever opens it sees what is missing, and what to do
     dock->raise();
     const auto one = [this]() -> const Template & {
         return *session().committed().document.templates.front();

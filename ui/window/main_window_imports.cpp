@@ -15,6 +15,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 
+#include <algorithm>
 #include <optional>
 
 namespace fff::ui {
@@ -72,6 +73,16 @@ void MainWindow::connectTemplates()
         if (const Template *one = m_bench->session().committed().document.find(id))
             refill(id, QString::fromStdString(one->file), false);
     });
+    // Once it is here: where a file that is not found can be found again is shown at once.
+    connect(
+        &m_bench->session(), &Session::replaced, this,
+        [this] {
+            const auto &all = m_bench->session().committed().document.templates;
+            if (!isOnlyAdjusted() &&
+                std::any_of(all.begin(), all.end(), [](const auto &one) { return !one->isRead(); }))
+                m_layout->show(m_templates);
+        },
+        Qt::QueuedConnection);
     connect(m_templates, &TemplatesDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(&m_bench->session(), &Session::committedChanged, m_templates,
             [this, maker] { m_templates->setHasSuggestion(maker->hasSuggestion()); });

@@ -4,6 +4,7 @@
 #include "ui/files/progress.h"
 
 #include <QApplication>
+#include <QProgressBar>
 #include <QProgressDialog>
 #include <QSemaphore>
 #include <QTimer>
@@ -45,6 +46,7 @@ private Q_SLOTS:
     void whatMustEndIsNotClosedAway_data();
     void whatMustEndIsNotClosedAway();
     void whatMayBeGivenUpIs();
+    void howFarItIsIsSeen();
     void piecesAreDoneInTheirOrder();
     void piecesMayBeGivenUp();
     void aPieceThatFailsIsTheLast();
@@ -103,6 +105,39 @@ void TestProgress::whatMayBeGivenUpIs()
         });
     mayEnd->release();
     QVERIFY(!result);
+}
+
+/// Wrong: a bar that only runs to and fro for as long as a large file takes.
+void TestProgress::howFarItIsIsSeen()
+{
+    QWidget window;
+    window.show();
+    const auto share = std::make_shared<std::atomic<double>>(-1.0);
+    const auto mayEnd = std::make_shared<QSemaphore>();
+    QTimer timer, look;
+    bool wasUnknown = false;
+    double seen = -1.0;
+    whenShown(window, timer, [&](QProgressDialog &dialog) {
+        const auto *bar = dialog.findChild<QProgressBar *>();
+        wasUnknown = bar && bar->maximum() == 0;
+        share->store(0.25);
+        QObject::connect(&look, &QTimer::timeout, &window, [&, bar] {
+            if (!bar || bar->maximum() == 0)
+                return;
+            seen = static_cast<double>(bar->value()) / bar->maximum();
+            mayEnd->release();
+        });
+        look.start(5);
+    });
+    inBackground<int>(
+        window, QStringLiteral("Reading"), MayCancel::Yes,
+        [mayEnd] {
+            mayEnd->acquire();
+            return 7;
+        },
+        share);
+    QVERIFY(wasUnknown);
+    QCOMPARE(seen, 0.25);
 }
 
 /// Each once, with time in between for all else that waits: else the window would hang.
