@@ -6,8 +6,10 @@
 #include "core/analysis/findings/thin_webs.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/plan_checks.h"
+#include "core/model/operation_edits.h"
 #include "core/model/template_edits.h"
 #include "core/operations/evaluate.h"
+#include "core/operations/slices.h"
 #include "core/session/finding_text.h"
 #include "core/templates/template_mesh.h"
 #include "tests/core/analysed.h"
@@ -128,6 +130,16 @@ Document documentWith(const MadeForm &form, double size)
     return addTemplate(newDocument(),
                        stood(one, *one.mesh, form.isUpright ? UpAxis::Y : UpAxis::Z, size))
         .value();
+}
+
+Model slicesOf(const Document &document, const std::string &direction, int planes)
+{
+    Operation slices = newOperation(kSlices);
+    slices.name = "Slices";
+    slices.subject = document.templates.front()->id;
+    slices.parameters.insert_or_assign("direction", direction);
+    slices.parameters.insert_or_assign("count", double(planes));
+    return evaluate(addOperation(document, std::move(slices)));
 }
 
 Model evenGridOf(const Document &document, std::size_t sections)

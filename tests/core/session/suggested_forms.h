@@ -16,6 +16,9 @@ Document documentWith(const MadeForm &form, double size = 254.0);
 /// number of sections is nearest to this.
 Model evenGridOf(const Document &document, std::size_t sections);
 
+/// The same in slices, `planes` each way.
+Model slicesOf(const Document &document, const std::string &direction, int planes);
+
 /// What is wrong by all checks, a line each; empty where all is good: it can be assembled, every
 /// piece is held, it stands.
 QStringList faultsOf(const Model &model);

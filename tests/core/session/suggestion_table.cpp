@@ -2,6 +2,7 @@
 // suggestion_table [-v] [-sSEED] [COUNT…] [FORM…]; run by hand. Of each: sections, time, the share
 // of the silhouette that they show, the same of what is above the ground, how far that was lowered,
 // how much is wrong by all checks, and how much of that is graver than thin walls beside slits.
+// With -slices what an even grid, a row and slices around an axis come to in place of that.
 #include "core/analysis/suggesting/suggestion.h"
 #include "core/operations/evaluate.h"
 #include "tests/core/session/suggested_forms.h"
@@ -16,14 +17,47 @@
 using namespace fff;
 using namespace fff::test;
 
+namespace {
+
+void printSlices(const QStringList &names, bool isVerbose)
+{
+    std::printf("%-10s %8s %6s | %8s %5s %9s %5s %5s\n", "form", "planes", "each", "sections", "s",
+                "assembled", "wrong", "grave");
+    for (const MadeForm &form : madeForms()) {
+        if (!names.isEmpty() && !names.contains(QLatin1String(form.name)))
+            continue;
+        const Document document = documentWith(form);
+        for (const auto &[direction, planes] :
+             {std::pair("xz", 5), std::pair("xz", 8), std::pair("xy", 5), std::pair("radial", 6)}) {
+            const auto begin = std::chrono::steady_clock::now();
+            const Model model = slicesOf(document, direction, planes);
+            const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+            const QStringList faults = faultsOf(model);
+            const bool isBlocked = !faults.filter(QStringLiteral("block each other")).isEmpty();
+            std::printf("%-10s %8s %6d | %8zu %5.2f %9s %5d %5d\n", form.name, direction, planes,
+                        model.sectionCount(), time.count(), isBlocked ? "no" : "yes",
+                        int(faults.size()),
+                        int(std::count_if(faults.begin(), faults.end(), isGrave)));
+            for (const QString &fault : faults)
+                if (isVerbose)
+                    std::printf("    %s\n", qPrintable(fault));
+            std::fflush(stdout);
+        }
+    }
+}
+
+} // namespace
+
 int main(int argc, char **argv)
 {
     std::vector<int> counts;
     QStringList names;
-    bool isVerbose = false;
+    bool isVerbose = false, isSlices = false;
     std::uint64_t seed = 1;
     for (int i = 1; i < argc; ++i) {
-        if (argv[i] == std::string("-v"))
+        if (argv[i] == std::string("-slices"))
+            isSlices = true;
+        else if (argv[i] == std::string("-v"))
             isVerbose = true;
         else if (std::string(argv[i]).starts_with("-s"))
             seed = std::strtoull(argv[i] + 2, nullptr, 10);
@@ -31,6 +65,10 @@ int main(int argc, char **argv)
             counts.push_back(count);
         else
             names += QString::fromLocal8Bit(argv[i]);
+    }
+    if (isSlices) {
+        printSlices(names, isVerbose);
+        return 0;
     }
     if (counts.empty())
         counts = {8, 16, 32};

@@ -40,6 +40,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_stretching
     core/session/tst_strokes
     core/session/tst_template_commands
+    core/session/tst_template_laws
     core/session/tst_they_fit
     core/session/tst_tool_replays
     core/session/tst_trial_words

@@ -4,8 +4,10 @@
 #include "core/analysis/findings/connection.h"
 #include "core/analysis/findings/loose_joints.h"
 #include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/moved_planes.h"
 #include "core/analysis/findings/order.h"
 #include "core/analysis/findings/thin_webs.h"
+#include "core/analysis/trial.h"
 #include "core/base/units.h"
 #include "core/model/edits.h"
 #include "core/model/template_edits.h"
@@ -15,6 +17,7 @@
 #include "tests/core/operations/operation_models.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/core/session/staged.h"
+#include "tests/core/templates/made_forms.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 
@@ -25,21 +28,23 @@ using namespace fff::test;
 
 namespace {
 
-Document slicedAround(int count)
+Document sliced(std::map<std::string, ParameterValue> values,
+                const MeshDraft &draft = sphere(60.0, 60, 91), double size = 120.0)
 {
     Template one;
     one.name = "Ball";
     one.file = "ball.stl";
-    one.mesh = makeTemplateMesh(mended(sphere(60.0, 60, 91)).value().mesh, {}).value();
-    Document document =
-        addTemplate(newDocument(), stood(one, *one.mesh, UpAxis::Y, one.mesh->mesh->size()))
-            .value();
-    Operation slices =
-        operation("slices", {},
-                  {{"direction", std::string("radial")}, {"count", static_cast<double>(count)}});
+    one.mesh = makeTemplateMesh(mended(draft).value().mesh, {}).value();
+    Document document = addTemplate(newDocument(), stood(one, *one.mesh, UpAxis::Y, size)).value();
+    Operation slices = operation("slices", {}, std::move(values));
     slices.subject = document.templates.front()->id;
     add(document, slices);
     return document;
+}
+
+Document slicedAround(int count)
+{
+    return sliced({{"direction", std::string("radial")}, {"count", static_cast<double>(count)}});
 }
 
 /// Plates that stand on the ground, through one upright line.
@@ -63,6 +68,9 @@ class TestAroundAnAxis : public QObject
 private Q_SLOTS:
     void slicesHoldAndGoTogether_data();
     void slicesHoldAndGoTogether();
+    void hollowOnesGoTogether_data();
+    void hollowOnesGoTogether();
+    void planesThatGoTogetherAreOffered();
     void drawnOnesAreCutInTwo();
 };
 
@@ -89,6 +97,60 @@ void TestAroundAnAxis::slicesHoldAndGoTogether()
     QVERIFY(!find(all.found, kLoosePieces));
     QVERIFY(!find(all.found, kSlitsMeet));
     QVERIFY(!find(all.found, kLooseJoint));
+}
+
+void TestAroundAnAxis::hollowOnesGoTogether_data()
+{
+    QTest::addColumn<QString>("direction");
+    for (const char *direction : {"xy", "xz", "yz", "radial", "radialX", "radialZ"})
+        QTest::newRow(direction) << QString::fromLatin1(direction);
+}
+
+// Wrong: rings that cross in two walls each can be put together by no way.
+void TestAroundAnAxis::hollowOnesGoTogether()
+{
+    QFETCH(const QString, direction);
+    const Document document = sliced(
+        {{"direction", direction.toStdString()}, {"count", 3.0}, {"hollow", true}, {"wall", 8.0}});
+    const Staged all = staged(document);
+    const Model model = evaluate(document);
+    std::size_t holes = 0;
+    for (const SectionPointer &section : model.sections())
+        holes += section->shape->holes().size();
+    QVERIFY2(holes >= 2 * model.sectionCount(), qPrintable(QString::number(holes)));
+    QVERIFY(find(all.found, kConnected));
+    QVERIFY(find(all.found, kCanAssemble));
+    QVERIFY(!find(all.found, kLoosePieces));
+    QVERIFY(!find(all.found, kSlitsMeet));
+    QVERIFY(!find(all.found, kLooseJoint));
+}
+
+// Wrong: whoever has a grid that cannot be slid together is left alone with that.
+void TestAroundAnAxis::planesThatGoTogetherAreOffered()
+{
+    int blocked = 0;
+    for (const MadeForm &form : madeForms())
+        for (const double count : {4.0, 5.0}) {
+            const Document document =
+                sliced({{"direction", std::string("xz")}, {"count", count}}, form.draft, 150.0);
+            const Staged all = staged(document);
+            const Finding *finding = find(all.found, kCannotAssemble);
+            if (!finding)
+                continue;
+            ++blocked;
+            for (const FindingAction &action : movedPlanes(*finding, document)) {
+                const auto edit = carriedOut(action, *finding, *all.analysis);
+                QVERIFY(edit && !edit->document.isSame(document));
+                QVERIFY(edit->document.sections.empty()); // all of it is still the slices
+                const std::vector<Finding> after = staged(edit->document).found;
+                // As it is judged before it is offered.
+                if (!isNoWorse(all.found, after) || !helps(*finding, all.found, after))
+                    continue;
+                QVERIFY(!find(after, kCannotAssemble));
+                return;
+            }
+        }
+    QFAIL(qPrintable(QStringLiteral("none of %1 is offered anything").arg(blocked)));
 }
 
 // Of what is drawn through one line by hand the slits are halves: what that cuts in two is said.

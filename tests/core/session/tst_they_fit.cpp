@@ -5,8 +5,13 @@
 
 #include "core/base/units.h"
 #include "core/io/document_file.h"
+#include "core/model/operation_edits.h"
+#include "core/model/template_edits.h"
+#include "core/operations/slices.h"
+#include "core/templates/template_mesh.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/core/templates/made_forms.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -180,6 +185,8 @@ private Q_SLOTS:
     void madeUpAssemblies_data();
     void madeUpAssemblies();
     void slitsLeaveNoGap();
+    void grids_data();
+    void grids();
     void realModels_data();
     void realModels();
     void slitsOfRealModelsLeaveNoGap_data() { realModels_data(); }
@@ -234,6 +241,46 @@ void TestTheyFit::slitsLeaveNoGap()
         QVERIFY2(loose.isEmpty(), "assembly " + QByteArray::number(i) + ": " + loose);
     }
     QVERIFY2(looked >= 10, QByteArray::number(looked));
+}
+
+void TestTheyFit::grids_data()
+{
+    QTest::addColumn<int>("form");
+    for (std::size_t i = 0; i < madeForms().size(); ++i)
+        QTest::newRow(madeForms()[i].name) << int(i);
+}
+
+/// Meshes as two rows of slices that slide into each other: as with those that are made up.
+void TestTheyFit::grids()
+{
+    QFETCH(const int, form);
+    const MadeForm made = madeForms()[std::size_t(form)];
+    Template one;
+    one.name = made.name;
+    one.file = "form.obj";
+    one.mesh = makeTemplateMesh(mended(made.draft).value().mesh, {}).value();
+    Document document =
+        addTemplate(newDocument(),
+                    stood(one, *one.mesh, made.isUpright ? UpAxis::Y : UpAxis::Z, 150.0))
+            .value();
+    Operation slices = newOperation(kSlices);
+    slices.subject = document.templates.front()->id;
+    slices.parameters.insert_or_assign("direction", std::string("xz"));
+    slices.parameters.insert_or_assign("count", 4.0);
+    document = addOperation(std::move(document), std::move(slices));
+    AnalysisCaches caches;
+    Assembled all{analyse(evaluate(document), caches), {}};
+    all.plan = planOf(all.analysis);
+    QVERIFY(all.analysis.model.sectionCount() >= 4);
+    std::set<std::pair<int, int>> said;
+    for (const PartOverlap &overlap : all.plan.overlaps)
+        said.emplace(overlap.a, overlap.b);
+    for (const auto &pair : inEachOther(platesOf(all.analysis.bodies)))
+        QVERIFY2(said.contains(pair), named(pair, all) + " are in each other unsaid");
+    // Of some forms planes block each other, which is said, and for which others are offered.
+    QVERIFY(all.plan.plan.verdict != AssemblyPlan::Verdict::NotFound);
+    if (all.plan.plan.verdict == AssemblyPlan::Verdict::Possible)
+        QCOMPARE(fault(all.analysis, all.plan), QString());
 }
 
 void TestTheyFit::realModels_data()
