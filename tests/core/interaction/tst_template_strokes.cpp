@@ -2,15 +2,23 @@
 #include "tests/core/interaction/desk.h"
 
 #include "core/assembly/joint_state.h"
+#include "core/geometry/segment_distance.h"
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/template_guides.h"
+#include "core/io/document_file.h"
+#include "core/io/fff_format.h"
 #include "core/model/figures.h"
 #include "core/model/point_edits.h"
 #include "core/model/template_edits.h"
+#include "core/templates/flat_template.h"
 #include "core/templates/template_cut.h"
 #include "core/templates/template_mesh.h"
+#include "tests/core/io/written_meshes.h"
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 #include <cmath>
 #include <numbers>
@@ -143,6 +151,8 @@ private Q_SLOTS:
     void openLinesCatchPointsToo();
     void aDrawingInAnotherPlaneIsNone();
     void aDrawingOnASectionIsAGuideForItsHoles();
+    void fromTheFileToUndone_data();
+    void fromTheFileToUndone();
 };
 
 void TestTemplateStrokes::theFirstSectionFollowsTheMesh()
@@ -520,6 +530,87 @@ void TestTemplateStrokes::aDrawingOnASectionIsAGuideForItsHoles()
     // Across it there is none.
     const Frame across{plate.frame.origin, plate.frame.x, plate.frame.normal()};
     QVERIFY(TemplateGuides(desk.session.committed(), nullptr, across).isEmpty());
+}
+
+void TestTemplateStrokes::fromTheFileToUndone_data()
+{
+    QTest::addColumn<bool>("isMesh");
+    QTest::newRow("a mesh") << true;
+    QTest::newRow("a drawing") << false;
+}
+
+/// All of it as one sitting: a file, a section along its guide, another one across, a whole guide,
+/// saved and opened, and everything undone. What was caught lies on what was cut to 0.05 mm.
+void TestTemplateStrokes::fromTheFileToUndone()
+{
+    QFETCH(const bool, isMesh);
+    QTemporaryDir folder;
+    const QString path =
+        folder.filePath(isMesh ? QStringLiteral("ball.stl") : QStringLiteral("disc.svg"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(isMesh ? QByteArray::fromStdString(stlBytes(sphere(kBall, 120, 180)))
+                      : QByteArray("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"120mm\" "
+                                   "height=\"120mm\" viewBox=\"0 0 120 120\">"
+                                   "<circle cx=\"60\" cy=\"60\" r=\"60\"/></svg>"));
+    file.close();
+    Desk desk;
+    const Document beginning = desk.session.committed().document;
+    desk.run("template.add", {{"file", path.toStdString()}, {"size", "120"}});
+    desk.run("template.set", {{"y", std::to_string(kFirstPlaneHeight)}});
+    const auto offGuide = [&desk](const Section &section) {
+        const Template &one = *desk.session.committed().document.templates.front();
+        const std::vector<TemplateLoop> loops =
+            one.mesh ? loopsOn(section.frame, one, *one.mesh)
+                     : loopsOn(section.frame, one, *worldPlacement(one, desk.session.committed()),
+                               *one.curves);
+        double most = 0.0;
+        for (const Vec2 &p : section.shape->contour().polygon(0.002)) {
+            double nearest = 1e9;
+            for (const TemplateLoop &loop : loops)
+                for (std::size_t i = 0; i < loop.points.size(); ++i)
+                    nearest = std::min(
+                        nearest, distanceToSegment(p, loop.points[i],
+                                                   loop.points[(i + 1) % loop.points.size()]));
+            most = std::max(most, nearest);
+        }
+        return most;
+    };
+    drawRound(desk, 2.0, 0.98);
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY2(offGuide(*desk.sections()[0]) < 0.05,
+             qPrintable(QString::number(offGuide(*desk.sections()[0]))));
+    desk.moveTo(desk.plate(10, 30));
+    desk.press(desk.plate(10, 30));
+    desk.moveTo(desk.plate(12, 66));
+    desk.wait(2000.0);
+    if (isMesh) {
+        desk.run("section.takeGuide");
+        desk.release(desk.cursor);
+        QCOMPARE(desk.sections().size(), std::size_t(2));
+        QVERIFY(offGuide(*desk.sections()[1]) < 0.05);
+    } else { // across a drawing there is nothing to follow
+        QVERIFY(!desk.interaction.hasGuide());
+        const Vec2 from = desk.cursor;
+        for (int i = 1; i <= 40; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / 41;
+            desk.moveTo(from + Vec2(80.0 * std::sin(angle), 70.0 - 70.0 * std::cos(angle)), {}, 1);
+        }
+        desk.release(desk.cursor);
+        QCOMPARE(desk.sections().size(), std::size_t(2));
+    }
+    const Document drawn = desk.session.committed().document;
+    const QString saved = folder.filePath(QStringLiteral("a.fff"));
+    QVERIFY(io::writeDocument(saved, drawn));
+    const auto read = io::readDocument(saved);
+    QVERIFY(read && read->document.templates.front()->isRead());
+    QVERIFY(io::writeFff(read->document).value() == io::writeFff(drawn).value());
+    while (desk.session.history()->canUndo())
+        desk.run("edit.undo");
+    QVERIFY(desk.session.committed().document == beginning);
+    while (desk.session.history()->canRedo())
+        desk.run("edit.redo");
+    QVERIFY(desk.session.committed().document == drawn);
 }
 
 FFF_TEST(TestTemplateStrokes)
