@@ -60,7 +60,9 @@ void describe(QCommandLineParser &parser)
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QCoreApplication::translate("main", "Models to open, each in a window; drawings, meshes and pictures to add to a new one."),
+        QCoreApplication::translate(
+            "main",
+            "Models to open, each in a window; drawings, meshes and pictures to add to a new one."),
         QStringLiteral("[FILE…]"));
     parser.addOption({kCopy, QCoreApplication::translate(
                                  "main", "Opens FILE as a copy: saving asks for a name.")});
@@ -105,9 +107,11 @@ int main(int argc, char *argv[])
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8); // QPainter clips with it
-    format.setSamples(4);
+    // The view is drawn into buffers of its own. With samples, depth and stencil the window would
+    // have four times as many pixels to put together, which costs software rendering most.
+    format.setDepthBufferSize(0);
+    format.setStencilBufferSize(0);
+    format.setSamples(0);
     QSurfaceFormat::setDefaultFormat(format);
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(
         Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
