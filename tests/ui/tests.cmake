@@ -102,7 +102,8 @@ set(windows
     ui/window/tst_adjusting
     ui/window/tst_simple_window
     ui/window/tst_room_for_panels
-    ui/window/tst_start_window)
+    ui/window/tst_start_window
+    ui/tst_by_keys)
 fff_tests(tests_window LIBRARIES fff::ui ON_A_DISPLAY ${windows})
 # The program itself, killed while it works.
 target_compile_definitions(tests_window PRIVATE FFF_WINDOW="$<TARGET_FILE:flatfitfab>")
