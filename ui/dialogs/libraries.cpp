@@ -44,12 +44,14 @@ const Library kLibraries[] = {
     {"Boost", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Parts that CGAL uses"),
      "© The authors of Boost", "Boost Software License, version 1.0", "bsl-1.0",
      "https://www.boost.org"},
+#ifndef FFF_WITHOUT_GMP // as for Windows
     {"GMP", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Numbers without rounding"),
      "© Free Software Foundation, Inc.", "GNU Lesser General Public License, version 3", "lgpl-3.0",
      "https://gmplib.org"},
     {"MPFR", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Numbers with many digits"),
      "© Free Software Foundation, Inc.", "GNU Lesser General Public License, version 3", "lgpl-3.0",
      "https://www.mpfr.org"},
+#endif
     {"expected", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Results that may be errors"),
      "Sy Brand", "CC0: given to the public domain", "cc0-1.0",
      "https://github.com/TartanLlama/expected"},
