@@ -23,6 +23,15 @@ QColor scaled(const QColor &c, double factor)
     return QColor::fromRgbF(f * c.redF(), f * c.greenF(), f * c.blueF());
 }
 
+QColor mixed(const QColor &colour, const QColor &behind, double alpha)
+{
+    const auto a = static_cast<float>(alpha);
+    const auto mix = [a](float c, float b) { return a * c + (1.0f - a) * b; };
+    return QColor::fromRgbF(mix(colour.redF(), behind.redF()),
+                            mix(colour.greenF(), behind.greenF()),
+                            mix(colour.blueF(), behind.blueF()));
+}
+
 } // namespace
 
 SectionPasses::SectionPasses(Gl &gl, ScreenPass &pass, const SlabBuffers &slabs)
@@ -54,7 +63,16 @@ SectionPasses::Kind SectionPasses::kindOf(std::size_t index) const
         return Kind::None;
     if (section.isGhost)
         return Kind::Ghost;
-    return m_options->isXray || section.look.alpha < 1.0 ? Kind::Translucent : Kind::Opaque;
+    if (m_options->isXray)
+        return Kind::Translucent;
+    return section.look.alpha < 1.0 && !isFrosted() ? Kind::Translucent : Kind::Opaque;
+}
+
+/// Of the coarsest picture what lets light through lets through the background's alone: without
+/// layers it costs as much as what is opaque.
+bool SectionPasses::isFrosted() const
+{
+    return m_options->quality == FrameQuality::Coarse && !m_options->isXray;
 }
 
 std::vector<std::size_t> SectionPasses::sectionsOf(Kind kind) const
@@ -76,7 +94,12 @@ SlabLook SectionPasses::lookOf(std::size_t index, double alpha) const
         return {m_style->problemFace, m_style->problemSide, alpha, m_style->problemHatch};
     if (section.isMade)
         return {m_style->madeFace, m_style->madeSide, alpha, QColor()};
-    return {scaled(section.look.face, m_style->faceBrightness), section.look.side, alpha, QColor()};
+    const SlabLook look{scaled(section.look.face, m_style->faceBrightness), section.look.side,
+                        alpha, QColor()};
+    if (!isFrosted() || section.look.alpha >= 1.0 || section.isGhost)
+        return look;
+    return {mixed(look.face, m_style->bottom, section.look.alpha),
+            mixed(look.side, m_style->bottom, section.look.alpha), alpha, QColor()};
 }
 
 EdgeLook SectionPasses::edgesOf(std::size_t index, double alpha) const

@@ -35,6 +35,7 @@ private:
     enum class Kind { None, Opaque, Translucent, Ghost };
     Kind kindOf(std::size_t section) const;
     std::vector<std::size_t> sectionsOf(Kind kind) const;
+    bool isFrosted() const;
     SlabLook lookOf(std::size_t section, double alpha) const;
     EdgeLook edgesOf(std::size_t section, double alpha) const;
     void drawEdges(std::size_t section, double alpha);

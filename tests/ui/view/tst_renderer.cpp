@@ -109,6 +109,7 @@ private Q_SLOTS:
     void outlinesDrawNothingAnew();
     void onlyWhatChangedIsUploaded();
     void simplerPicturesAreAlike();
+    void coarseAcrylicHasItsTone();
     void aNewShadowChangesNothingElse_data();
     void aNewShadowChangesNothingElse();
     void aNewContextDrawsTheSame();
@@ -409,6 +410,25 @@ void TestRenderer::simplerPicturesAreAlike()
         // Edges and corners differ, nothing is missing or elsewhere.
         QVERIFY(differing(full, paint(scene, camera, options), 60) < kSide * kSide / 20);
     }
+}
+
+/// Wrong: while it is turned on a slow machine clear acrylic is as dark as plywood.
+void TestRenderer::coarseAcrylicHasItsTone()
+{
+    Scene scene = sceneOf(twoSections(plate(40.0), front(0.0), plate(40.0), side(0.0)));
+    const Camera camera = frontView(scene);
+    const QPoint inside(kSide / 2 + 40, kSide / 2 - 20);
+    RenderOptions options;
+    options.hasGround = false;
+    options.quality = FrameQuality::Coarse;
+    const QImage opaque = paint(scene, camera, options);
+    for (SceneSection &section : scene.sections)
+        section.look.alpha = 0.5;
+    const QImage coarse = paint(scene, camera, options);
+    options.quality = FrameQuality::Full;
+    const QImage full = paint(scene, camera, options);
+    QVERIFY(isNear(coarse.pixel(inside), QColor(full.pixel(inside)), 20));
+    QVERIFY(!isNear(coarse.pixel(inside), QColor(opaque.pixel(inside)), 20));
 }
 
 void TestRenderer::aNewShadowChangesNothingElse_data()
