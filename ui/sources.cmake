@@ -18,6 +18,7 @@ target_sources(fff_ui PRIVATE
     base/panes.cpp
     base/rich_text.cpp
     base/sentence_label.cpp
+    base/spare_memory.cpp
     base/theme.cpp
     base/translations.cpp
     bench/check_words.cpp

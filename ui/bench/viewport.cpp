@@ -5,6 +5,7 @@
 #include "core/session/scheduler.h"
 #include "ui/base/cursors.h"
 #include "ui/base/focus_frame.h"
+#include "ui/base/spare_memory.h"
 #include "ui/base/theme.h"
 #include "ui/bench/marked_scene.h"
 #include "ui/bench/workbench.h"
@@ -29,6 +30,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kFrameTime = 12;     // ms between frames of an animation
+constexpr int kTidyDelay = 2000;   // ms without a new picture or finding
 constexpr int kBusyDelay = 500;    // ms before work is said to be going on
 constexpr int kBusyFrame = 80;     // ms between steps of its mark
 constexpr double kBusyStep = 0.08; // of a turn
@@ -89,6 +91,15 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
     };
     once(m_wake, [this] { m_bench.advance(); });
     once(m_rest, [this] { update(); });
+    m_tidy.setInterval(kTidyDelay);
+    once(m_tidy, [this] {
+        if (m_isUsable && isValid()) {
+            makeCurrent();
+            m_renderer.tidy();
+            doneCurrent();
+        }
+        giveBackSpareMemory();
+    });
     once(m_busyWait, [this] { m_busyTurn.start(kBusyFrame); });
     connect(&m_busyTurn, &QTimer::timeout, this, [this] {
         m_busyTurns += kBusyStep;
@@ -107,6 +118,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
     });
     connect(&bench.session().scheduler(), &Scheduler::published, this,
             [this](std::string_view stage) {
+                m_tidy.start();
                 if (stage != kPulled.name)
                     return;
                 m_builder.setPulled(m_bench.session().scheduler().result(kPulled));
@@ -169,7 +181,8 @@ void Viewport::paintGL()
     const Interaction &interaction = m_bench.interaction();
     if (m_isUsable) {
         RenderOptions options;
-        options.quality = m_pace.begin(frameTime(), std::exchange(m_isPictureChanged, false));
+        const bool isChanged = std::exchange(m_isPictureChanged, false);
+        options.quality = m_pace.begin(frameTime(), isChanged);
         options.isXray = interaction.view().isXray;
         options.hasGround = interaction.view().hasGround && !m_areStepsBelow;
         options.clip = interaction.view().clip;
@@ -182,6 +195,7 @@ void Viewport::paintGL()
             m_rest.start(std::max(1, static_cast<int>(std::ceil(*rest - frameTime()))));
         else
             m_rest.stop();
+        m_tidy.start();
     }
     paintMarks();
     QPainter painter(this);

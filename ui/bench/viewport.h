@@ -79,7 +79,10 @@ private:
     void lookForCovers();
 
     /// ms; by it frames are timed, and drawn the simpler the longer they take.
-    double frameTime() const { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; }
+    double frameTime() const
+    {
+        return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6;
+    }
 
     Workbench &m_bench;
     ViewInput m_input;
@@ -96,6 +99,7 @@ private:
     QTimer m_frames;
     QTimer m_wake;     // something changes that no event brings
     QTimer m_rest;     // the picture has rested: draw it in full
+    QTimer m_tidy;     // nothing has changed for long: what only work needs is given back
     QTimer m_busyWait; // the analysis takes longer than one notices
     QTimer m_busyTurn; // its mark goes round
     double m_busyTurns = 0.0;

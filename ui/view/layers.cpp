@@ -63,4 +63,10 @@ void Layers::draw(RenderTarget &picture, SlabPainter &painter, int most,
     m_gl.glDepthFunc(GL_LEQUAL);
 }
 
+void Layers::free()
+{
+    for (RenderTarget *target : {&m_layers[0], &m_layers[1], &m_sum})
+        target->free();
+}
+
 } // namespace fff::ui

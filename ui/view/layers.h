@@ -22,6 +22,8 @@ public:
     /// is nearer than the picture's depths.
     void draw(RenderTarget &picture, SlabPainter &painter, int most,
               const std::function<void()> &drawAll);
+    /// Gives back what it draws into, until it draws again.
+    void free();
 
 private:
     Gl &m_gl;

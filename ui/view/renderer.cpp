@@ -117,6 +117,22 @@ void Renderer::release()
     d.reset();
 }
 
+void Renderer::tidy()
+{
+    if (!d || !d->drawn || d->picture.isEmpty())
+        return;
+    const BoundTarget target(d->gl);
+    if (!d->hasLayers) { // as smooth as it is shown, and small
+        d->rest.resize(d->pixels);
+        d->rest.copyFrom(d->picture);
+        d->hasLayers = true;
+    }
+    d->picture.free();
+    d->shown.free();
+    d->sections.tidy();
+    target.restore();
+}
+
 int Renderer::uploadCount() const
 {
     return d ? d->slabs.uploadCount() : 0;

@@ -28,6 +28,10 @@ public:
     void render(const Scene &scene, const Camera &camera, const Vec2 &viewport, double pixelRatio,
                 const ViewStyle &style, const RenderOptions &options = {});
 
+    /// The picture rests: gives back what only drawing another one needs. What is seen stays, and
+    /// so does what outlines are drawn over. With the context current.
+    void tidy();
+
     /// Meshes sent to the graphics card so far, and frames for which slabs were drawn.
     int uploadCount() const;
     int drawCount() const;

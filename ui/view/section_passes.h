@@ -29,6 +29,8 @@ public:
     /// Onto `image`, a copy of `opaque`, which is what the other passes made.
     void drawLayers(RenderTarget &image, const RenderTarget &opaque);
     void drawOutlines();
+    /// Gives back what only layers need; the next ones have it again.
+    void tidy() { m_layers.free(); }
 
 private:
     /// How a section is drawn.

@@ -110,6 +110,8 @@ private Q_SLOTS:
     void onlyWhatChangedIsUploaded();
     void simplerPicturesAreAlike();
     void coarseAcrylicHasItsTone();
+    void tidyingChangesNothingSeen_data();
+    void tidyingChangesNothingSeen();
     void aNewShadowChangesNothingElse_data();
     void aNewShadowChangesNothingElse();
     void aNewContextDrawsTheSame();
@@ -429,6 +431,38 @@ void TestRenderer::coarseAcrylicHasItsTone()
     const QImage full = paint(scene, camera, options);
     QVERIFY(isNear(coarse.pixel(inside), QColor(full.pixel(inside)), 20));
     QVERIFY(!isNear(coarse.pixel(inside), QColor(opaque.pixel(inside)), 20));
+}
+
+void TestRenderer::tidyingChangesNothingSeen_data()
+{
+    QTest::addColumn<double>("alpha");
+    QTest::newRow("opaque") << 1.0;
+    QTest::newRow("lets light through") << 0.6;
+}
+
+/// What is given back at rest is neither seen nor what outlines need.
+void TestRenderer::tidyingChangesNothingSeen()
+{
+    QFETCH(const double, alpha);
+    Scene scene = sceneOf(twoSections(plate(), front(), plate(), side()));
+    for (SceneSection &section : scene.sections)
+        section.look.alpha = alpha;
+    const Camera camera = named(scene, "iso1"), turned = named(scene, "iso3");
+    Scene selected = scene;
+    selected.sections[0].isSelected = true;
+    const QImage plain = paint(scene, camera), outlined = paint(selected, camera);
+    const QImage other = paint(scene, turned);
+    paint(scene, camera);
+    const int draws = m_renderer->drawCount();
+    for (int i = 0; i < 2; ++i) {
+        m_renderer->tidy();
+        QCOMPARE(differing(paint(scene, camera), plain), 0);
+        QCOMPARE(differing(paint(selected, camera), outlined), 0);
+    }
+    QCOMPARE(m_renderer->drawCount(), draws);
+    QCOMPARE(differing(paint(scene, turned), other), 0);
+    m_renderer->tidy();
+    QCOMPARE(differing(paint(scene, camera), plain), 0);
 }
 
 void TestRenderer::aNewShadowChangesNothingElse_data()
