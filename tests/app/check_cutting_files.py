@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Cutting files as other programs read them: check_cutting_files.py FLATFITFAB_CLI MODEL…
 
-Each model is exported in every format, and read by what did not write it: ezdxf (its audit, lengths, extents), poppler
-(page sizes, what is drawn on them), admesh (closed solids), a XML parser and a G-code interpreter of this file. Lengths
+Each model is exported in every format, and read by what did not write it: Inkscape (where each part is, how large) and
+rsvg (what is drawn where), ezdxf (its audit, lengths, extents), poppler (page sizes, what is drawn on them, that tiles
+have the same where they overlap), admesh (closed solids), a XML parser and a G-code interpreter of this file. Lengths
 of cuts and boxes are those of the SVG, whose curves are walked along in small chords here.
 """
 import csv
@@ -24,6 +25,7 @@ CURVE_ERROR = 0.0031  # mm, of arcs
 LENGTH_ERROR = 2e-4  # share
 ENGRAVED, SCORED, CUT = "engraved", "scored", "cut"
 SVG_COLOURS = {"#0000ff": ENGRAVED, "#000000": ENGRAVED, "#00ff00": SCORED, "#ff0000": CUT}
+SVG = "{http://www.w3.org/2000/svg}"
 faults = []
 
 
@@ -65,8 +67,12 @@ class Drawing:
 
 
 def read_svg(path):
+    return read_paths(ElementTree.parse(path).iter(f"{SVG}path"))
+
+
+def read_paths(elements):
     drawing = Drawing()
-    for element in ElementTree.parse(path).iter("{http://www.w3.org/2000/svg}path"):
+    for element in elements:
         kind = SVG_COLOURS[element.get("stroke")]
         line, words = [], re.findall(r"[A-Z]|-?[0-9.]+", element.get("d"))
         i = 0
@@ -220,12 +226,12 @@ def compare(name, drawing, svg, kinds):
             left.remove(nearest)
 
 
-def check_pdf(path, sizes):
+def check_pdf(path, sizes, most=0.02):
     text = subprocess.run(["pdfinfo", "-l", "9999", path], capture_output=True, text=True, check=True).stdout
     found = [tuple(map(float, m)) for m in re.findall(r"size:\s+([0-9.]+) x ([0-9.]+) pts", text)]
     for (width, height), size in itertools.zip_longest(found, sizes, fillvalue=(0, 0)):
         wanted = [mm * 72 / 25.4 for mm in size]
-        check(math.dist((width, height), wanted) < 0.02, f"{path}: a page of {width} x {height} pt, not {wanted}")
+        check(math.dist((width, height), wanted) < most, f"{path}: a page of {width} x {height} pt, not {wanted}")
 
 
 def dark_columns(path, page, dpi):
@@ -244,6 +250,67 @@ def check_measuring_box(path, page):
     row = data[height // 2 * width:(height // 2 + 1) * width]
     dark = [x for x, value in enumerate(row) if value < 128]
     check(dark and abs((dark[-1] - dark[0]) * 25.4 / dpi - 100) < 0.2, f"{path}: a measuring box of other size")
+
+
+def extent(lines):
+    xs, ys = zip(*itertools.chain.from_iterable(lines))
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def check_inkscape(path):
+    """Boxes of the parts as Inkscape sees them: in its pixels, with half a stroke around them."""
+    run = subprocess.run(["inkscape", "--query-all", path], capture_output=True, text=True)
+    if not check(run.returncode == 0, f"{path}: Inkscape: {run.stderr}"):
+        return
+    found = {words[0]: [float(word) * 25.4 / 96 for word in words[1:]]
+             for words in (line.split(",") for line in run.stdout.splitlines()) if len(words) == 5}
+    root = ElementTree.parse(path).getroot()
+    parts = [group for group in root.iter(f"{SVG}g") if group.get("id", "").startswith("part-")]
+    check(parts, f"{path}: no parts")
+    stroke = float(next(g for g in root.iter(f"{SVG}g") if g.get("stroke-width")).get("stroke-width"))
+    for group in parts:
+        left, top, right, bottom = extent(read_paths(group.iter(f"{SVG}path")).lines[CUT])
+        wanted = (left - stroke / 2, top - stroke / 2, right - left + stroke, bottom - top + stroke)
+        # Corners are mitred there, so that acute ones reach farther.
+        box = found.get(group.get("id"))
+        check(box and all(abs(a - b) < 0.02 + 5 * stroke for a, b in zip(box, wanted)),
+              f"{path}: {group.get('id')} is at {box} in Inkscape, not at {wanted}")
+
+
+def check_rsvg(path, svg, size):
+    """Its page, and how far what it draws reaches."""
+    page = path + ".pdf"
+    subprocess.run(["rsvg-convert", "-f", "pdf", "-o", page, path], check=True)
+    check_pdf(page, [size], 1.0)
+    dpi, inked = 254, 250
+    width, height, data = dark_columns(page, 1, dpi)
+    rows = [y for y in range(height) if min(data[y * width:(y + 1) * width]) < inked]
+    columns = [x for x in range(width) if min(data[x::width]) < inked]
+    found = [v * 25.4 / dpi for v in (columns[0], rows[0], columns[-1] + 1, rows[-1] + 1)]
+    wanted = extent(itertools.chain.from_iterable(svg.lines.values()))
+    check(all(abs(a - b) < 0.35 for a, b in zip(found, wanted)), f"{path}: rsvg draws {found}, not {wanted}")
+
+
+def check_tiles(path):
+    """Neighbours have the same on the strip where they are glued over each other: to the pixel."""
+    dpi, margin, overlap = 254, 100, 100  # px of 0.1 mm
+    text = subprocess.run(["pdftotext", path, "-"], capture_output=True, text=True, check=True).stdout
+    names = re.findall(r"Sheet (\d+), page ([A-Z]+)(\d+)", text)
+    compared = 0
+    for page, (sheet, column, row) in enumerate(names[:-1]):
+        following = (sheet, chr(ord(column) + 1), row)
+        if len(column) > 1 or following not in names or compared == 3:
+            continue
+        width, height, left = dark_columns(path, page + 1, dpi)
+        right = dark_columns(path, names.index(following) + 1, dpi)[2]
+        strips = []
+        for data, first in ((left, width - margin - overlap), (right, margin)):
+            strips.append([data[y * width + first:y * width + first + overlap] for y in range(margin, height - margin)])
+        differing = sum(abs(a - b) > 64 for one, other in zip(*strips) for a, b in zip(one[2:-2], other[2:-2]))
+        inked = sum(value < 128 for line in strips[0] for value in line)
+        check(inked > 0 and differing <= 0.02 * inked, f"{path}: pages {column}{row} and {following[1]}{row} differ at {differing} of {inked} pixels")
+        compared += 1
+    return compared
 
 
 def edges_close(triangles):
@@ -289,6 +356,7 @@ def check_model(cli, model, folder):
     if not svg_path:
         return
     svg = read_svg(svg_path)
+    check_inkscape(svg_path)
     for options, version in (((), "AC1015"), (("--dxf", "r12"), "AC1009")):
         compare(f"{name} {version}", read_dxf(export("dxf", *options), version), svg, (ENGRAVED, SCORED, CUT))
     compare(f"{name} lbrn2", read_lbrn2(export("lbrn2")), svg, (ENGRAVED, SCORED, CUT))
@@ -303,6 +371,7 @@ def check_model(cli, model, folder):
     sheets = len({row["sheet"] for row in rows})
     size = [float(v.strip("m")) for v in (ElementTree.parse(svg_path).getroot().get(k) for k in ("width", "height"))]
     if sheets == 1:
+        check_rsvg(svg_path, svg, size)
         check_pdf(export("pdf", "--no-reference"), [size])
         with_box = export("pdf")
         check_pdf(with_box, [size, (120, 30)])
@@ -312,6 +381,7 @@ def check_model(cli, model, folder):
     text = subprocess.run(["pdftotext", tiled, "-"], capture_output=True, text=True, check=True).stdout
     check(len(re.findall(r"page [A-Z]+[0-9]+", text)) == pages, f"{name}: tiles without names")
     check(len(re.findall(r"50 mm", text)) == pages, f"{name}: tiles without a measuring box")
+    check(check_tiles(tiled) > 0 or pages < 2, f"{name}: no neighbours among the tiles")
     with zipfile.ZipFile(export("zip")) as archive:
         for suffix, entry in (("svg", "sheets.svg"), ("dxf", "sheets.dxf"), ("csv", "parts.csv"), ("gcode", "sheets.gcode")):
             check(archive.read(entry) == pathlib.Path(export(suffix)).read_bytes(), f"{name}: {entry} is another one")
