@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace fff::nest {
 
@@ -154,49 +155,59 @@ double across(const Vec2 &p, Axis axis)
     return axis == Axis::X ? p.y() : p.x();
 }
 
-/// Where the edge is, along the way, at that height across; it is not parallel to the way there.
-double whereAt(const Edge &edge, double height, Axis axis)
+/// An edge as it is met by what comes along the way: where it is, at a height across.
+struct Met
 {
-    const double low = across(edge.from, axis), high = across(edge.to, axis);
-    if (low == high)
-        return along(edge.from, axis);
-    const double share = std::clamp((height - low) / (high - low), 0.0, 1.0);
-    return along(edge.from, axis) + share * (along(edge.to, axis) - along(edge.from, axis));
+    double low, high;         // across
+    double across, slope;     // at `start`; along for each mm across
+    double start;             // along
+    double nearest, farthest; // along
+    bool isLevel;             // everywhere between its ends at once
+
+    double at(double height) const
+    {
+        return std::clamp(start + (height - across) * slope, nearest, farthest);
+    }
+};
+
+Met metAlong(const Edge &edge, Axis axis)
+{
+    const double from = across(edge.from, axis), to = across(edge.to, axis);
+    const double start = along(edge.from, axis), end = along(edge.to, axis);
+    const bool isLevel = from == to;
+    return {across(edge.box.min, axis),
+            across(edge.box.max, axis),
+            from,
+            isLevel ? 0.0 : (end - start) / (to - from),
+            start,
+            along(edge.box.min, axis),
+            along(edge.box.max, axis),
+            isLevel};
 }
 
 /// By how much `a`, moved, has to go on for it to meet `b`: from … to.
-Stretch meeting(const Edge &a, const Edge &b, const Vec2 &by, Axis axis)
+Stretch meeting(const Met &a, const Met &b, double offset, double lift)
 {
-    const double offset = along(by, axis), lift = across(by, axis);
-    const double low = std::max(across(a.box.min, axis) + lift, across(b.box.min, axis));
-    const double high = std::min(across(a.box.max, axis) + lift, across(b.box.max, axis));
-    Stretch stretch{std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
-    const auto take = [&](double gap) {
-        stretch.from = std::min(stretch.from, gap);
-        stretch.to = std::max(stretch.to, gap);
-    };
-    const bool isLevelA = across(a.from, axis) == across(a.to, axis);
-    const bool isLevelB = across(b.from, axis) == across(b.to, axis);
-    for (const double height : {low, high}) {
-        const double ofA = whereAt(a, height - lift, axis) + offset, ofB = whereAt(b, height, axis);
-        take(ofB - ofA);
-        // A level edge is everywhere between its ends at once.
-        const double otherA = isLevelA ? along(a.to, axis) + offset : ofA;
-        const double otherB = isLevelB ? along(b.to, axis) : ofB;
-        take(otherB - ofA);
-        take(ofB - otherA);
-        take(otherB - otherA);
+    const double low = std::max(a.low + lift, b.low), high = std::min(a.high + lift, b.high);
+    if (a.isLevel || b.isLevel) {
+        const double ofA = a.at(low - lift), ofB = b.at(low);
+        const double ofA2 = a.at(high - lift), ofB2 = b.at(high);
+        return {(b.isLevel ? b.nearest : std::min(ofB, ofB2)) -
+                    (a.isLevel ? a.farthest : std::max(ofA, ofA2)) - offset,
+                (b.isLevel ? b.farthest : std::max(ofB, ofB2)) -
+                    (a.isLevel ? a.nearest : std::min(ofA, ofA2)) - offset};
     }
-    return stretch;
+    const double atLow = b.at(low) - a.at(low - lift), atHigh = b.at(high) - a.at(high - lift);
+    return {std::min(atLow, atHigh) - offset, std::max(atLow, atHigh) - offset};
 }
 
-/// Calls visit(stretch) for all pairs of edges that can meet along the way.
+/// Calls visit(stretch) for all pairs of edges that can meet along the way, farther on than
+/// `passed`, which it may change.
 template <class Visit>
-void eachMeeting(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, Steps &steps,
-                 Visit visit)
+void eachMeeting(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, const double &passed,
+                 Steps &steps, Visit visit)
 {
-    const double lift = across(by, axis);
+    const double offset = along(by, axis), lift = across(by, axis);
     const double low =
         std::max(across(a.box.min, axis) + lift, across(b.box.min, axis)) - kRounding;
     const double high =
@@ -204,24 +215,34 @@ void eachMeeting(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, Step
     const auto reaches = [axis](const Box2 &box, double from, double to) {
         return across(box.max, axis) >= from && across(box.min, axis) <= to;
     };
-    for (std::size_t runA = 0; runA < a.runs.size(); ++runA) {
-        if (!reaches(a.runs[runA], low - lift, high - lift))
+    // Those of b, once for all of a.
+    thread_local std::vector<Met> ofB;
+    ofB.clear();
+    for (std::size_t run = 0; run < b.runs.size(); ++run) {
+        if (!reaches(b.runs[run], low, high))
             continue;
-        for (std::size_t i = runA * Posed::kRun;
-             i < std::min((runA + 1) * Posed::kRun, a.edges.size()); ++i) {
-            const Edge &edge = a.edges[i];
-            if (!reaches(edge.box, low - lift, high - lift))
+        const std::size_t end = std::min((run + 1) * Posed::kRun, b.edges.size());
+        for (std::size_t i = run * Posed::kRun; i < end; ++i)
+            if (reaches(b.edges[i].box, low, high))
+                ofB.push_back(metAlong(b.edges[i], axis));
+    }
+    std::sort(ofB.begin(), ofB.end(), [](const Met &p, const Met &q) { return p.low < q.low; });
+    for (std::size_t run = 0; run < a.runs.size(); ++run) {
+        if (!reaches(a.runs[run], low - lift, high - lift))
+            continue;
+        const std::size_t end = std::min((run + 1) * Posed::kRun, a.edges.size());
+        for (std::size_t i = run * Posed::kRun; i < end; ++i) {
+            if (!reaches(a.edges[i].box, low - lift, high - lift))
                 continue;
-            const double from = across(edge.box.min, axis) + lift,
-                         to = across(edge.box.max, axis) + lift;
-            for (std::size_t runB = 0; runB < b.runs.size(); ++runB) {
-                if (!reaches(b.runs[runB], from, to))
-                    continue;
-                steps += static_cast<Steps>(Posed::kRun);
-                const std::size_t end = std::min((runB + 1) * Posed::kRun, b.edges.size());
-                for (std::size_t j = runB * Posed::kRun; j < end; ++j)
-                    if (reaches(b.edges[j].box, from, to))
-                        visit(meeting(edge, b.edges[j], by, axis));
+            const Met edge = metAlong(a.edges[i], axis);
+            const double from = edge.low + lift, to = edge.high + lift;
+            const double behind = offset + edge.nearest;
+            steps += static_cast<Steps>(ofB.size());
+            for (const Met &other : ofB) {
+                if (other.low > to)
+                    break;
+                if (other.high >= from && other.farthest - behind > passed)
+                    visit(meeting(edge, other, offset, lift));
             }
         }
     }
@@ -236,17 +257,24 @@ Vec2 unit(Axis axis)
 
 double wayOut(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, Steps &steps)
 {
-    thread_local std::vector<Stretch> stretches;
-    stretches.clear();
-    eachMeeting(a, b, by, axis, steps, [&](const Stretch &stretch) {
-        if (stretch.to >= 0.0)
-            stretches.push_back(stretch);
-    });
-    std::sort(stretches.begin(), stretches.end(),
-              [](const Stretch &p, const Stretch &q) { return p.from < q.from; });
     const double apart = kApart * (1.0 + a.box.size().maxCoeff() + b.box.size().maxCoeff() +
                                    by.cwiseAbs().maxCoeff());
     double way = 0.0;
+    thread_local std::vector<Stretch> stretches; // that begin farther on than it goes already
+    stretches.clear();
+    double passed = -apart; // what ends there needs no way
+    eachMeeting(a, b, by, axis, passed, steps, [&](const Stretch &stretch) {
+        if (stretch.to + apart <= way || stretch.to < 0.0)
+            return;
+        if (stretch.from > way + apart) {
+            stretches.push_back(stretch);
+            return;
+        }
+        way = stretch.to + apart;
+        passed = way - apart;
+    });
+    std::sort(stretches.begin(), stretches.end(),
+              [](const Stretch &p, const Stretch &q) { return p.from < q.from; });
     for (const Stretch &stretch : stretches) {
         if (stretch.from > way + apart && !isOneInOther(a, b, by + way * unit(axis)))
             return way;
@@ -258,7 +286,8 @@ double wayOut(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, Steps &
 double wayDown(const Posed &a, const Posed &b, const Vec2 &by, Axis axis, double most, Steps &steps)
 {
     double way = most;
-    eachMeeting(a, b, by, axis, steps, [&](const Stretch &stretch) {
+    constexpr double kNone = -std::numeric_limits<double>::infinity();
+    eachMeeting(a, b, by, axis, kNone, steps, [&](const Stretch &stretch) {
         if (stretch.from <= 0.0)
             way = std::min(way, std::max(0.0, -stretch.to));
     });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fff::nest {
 
@@ -20,9 +21,10 @@ public:
     bool fits() const { return m_low.x() <= m_high.x() && m_low.y() <= m_high.y(); }
 
     /// In the row at that height, above the lower edge; none beyond `most`, of its right end.
-    std::optional<Vec2> inRow(double above, double most) const
+    /// start  where to begin; becomes how far there is no place
+    std::optional<Vec2> inRow(double above, double most, double &start) const
     {
-        Vec2 at(m_low.x(), m_low.y() + above);
+        Vec2 at(std::max(m_low.x(), start), m_low.y() + above);
         const double end = std::min(m_high.x(), most - m_posed.box.max.x());
         // Where rounding sees no way out of what is met, farther and farther.
         double nudge = leastWay();
@@ -37,7 +39,9 @@ public:
                 return true;
             };
             m_meter.used += 8;
-            if (!m_board.anyNear(boxAt(at), isInWay))
+            const bool isInWayOfAny = m_board.anyNear(boxAt(at), isInWay);
+            start = at.x();
+            if (!isInWayOfAny)
                 return at;
         }
         return std::nullopt;
@@ -100,18 +104,22 @@ private:
 } // namespace
 
 std::optional<Pose> leftmost(const Board &board, const Shape &shape, std::size_t sheet,
-                             const Filling &filling, Meter &meter)
+                             const Filling &filling, RowStarts &starts, Meter &meter)
 {
     std::optional<Pose> best;
     double most = std::numeric_limits<double>::infinity();
     const std::size_t count = shape.turns.size();
+    const auto rows = static_cast<std::size_t>(filling.rows);
+    starts.at.resize(count * rows, -std::numeric_limits<double>::infinity());
     for (std::size_t turn = count - std::min(count, filling.turns); turn < count; ++turn) {
         const Lodger lodger(board, shape.turns[turn], board.sheets()[sheet], meter);
         if (!lodger.fits())
             continue;
-        for (int row = 0; row < filling.rows; ++row) {
-            const double above = lodger.roomAbove() * row / std::max(1, filling.rows - 1);
-            const std::optional<Vec2> found = lodger.inRow(above, most);
+        for (std::size_t row = 0; row < rows; ++row) {
+            const double above = lodger.roomAbove() * static_cast<double>(row) /
+                                 static_cast<double>(std::max<std::size_t>(1, rows - 1));
+            const std::optional<Vec2> found =
+                lodger.inRow(above, most, starts.at[turn * rows + row]);
             if (!found)
                 continue;
             const Vec2 at = lodger.settled(*found, filling.settling);

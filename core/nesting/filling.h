@@ -4,6 +4,8 @@
 #include "core/nesting/board.h"
 #include "core/nesting/meter.h"
 
+#include <vector>
+
 namespace fff::nest {
 
 struct Filling
@@ -13,10 +15,17 @@ struct Filling
     int settling = 3;        // times that it slides down and to the left where it came to lie
 };
 
+/// How far right each row of each turn is known to have no place for a shape, as that comes to lie
+/// there: for all of one outline, while the sheet only gets fuller.
+struct RowStarts
+{
+    std::vector<double> at; // by turn and row; empty at first
+};
+
 /// The place on the sheet where the shape's right end comes least far, of some rows and all of its
 /// turns; holes of others and rooms between them are places as well. None: it has no room.
 std::optional<Pose> leftmost(const Board &board, const Shape &shape, std::size_t sheet,
-                             const Filling &filling, Meter &meter);
+                             const Filling &filling, RowStarts &starts, Meter &meter);
 
 /// Slides everything on the sheet to the left, the leftmost first, as far as it goes.
 void slideLeft(Board &board, std::size_t sheet, Meter &meter);

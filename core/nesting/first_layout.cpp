@@ -1,7 +1,12 @@
 #include "core/nesting/first_layout.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 
 namespace fff::nest {
@@ -10,7 +15,7 @@ namespace {
 
 /// Rows for a few pieces and for many.
 constexpr int kMostRows = 48, kLeastRows = 12;
-constexpr int kRowsForAll = 6000; // rows of all pieces together
+constexpr int kRowsForAll = 4500; // rows of all pieces together
 /// So many pieces are tried in several orders and with all of their turns.
 constexpr std::size_t kFewPieces = 100, kTurnsOfMany = 4;
 /// A sheet without room for a piece is asked again for one with less than this of its area.
@@ -22,14 +27,41 @@ struct OpenSheet
     std::unique_ptr<Board> board;
     std::vector<int> pieces;
     std::vector<Pose> poses;
+    std::map<int, RowStarts> starts;                          // by kinds of outlines
     double refused = std::numeric_limits<double>::infinity(); // area of what had no room
 };
+
+/// Of each shape which others have its outline, to a thousandth of a mm: a number for all of them.
+std::vector<int> kindsOfOutlines(const Prepared &prepared)
+{
+    constexpr double kSame = 1e-3; // mm
+    std::map<std::vector<std::int64_t>, int> known;
+    std::vector<int> kinds;
+    for (const Shape &shape : prepared.shapes) {
+        std::vector<std::int64_t> key{static_cast<std::int64_t>(shape.turns.size())};
+        const auto add = [&](const Vec2 &p, double scale) {
+            key.push_back(std::llround(p.x() * scale));
+            key.push_back(std::llround(p.y() * scale));
+        };
+        for (const Vec2 &p : shape.outline.outer)
+            add(p, 1.0 / kSame);
+        for (const Polygon &hole : shape.outline.holes)
+            for (const Vec2 &p : hole)
+                add(p, 1.0 / kSame);
+        for (const Posed &posed : shape.turns)
+            add(posed.turn, 1.0 / kClipGrid);
+        kinds.push_back(
+            known.emplace(std::move(key), static_cast<int>(known.size())).first->second);
+    }
+    return kinds;
+}
 
 class Filler
 {
 public:
-    Filler(const Prepared &prepared, std::size_t expected, Steps &steps)
-        : m_prepared(prepared), m_expected(expected), m_steps(steps)
+    Filler(const Prepared &prepared, const std::vector<int> &kinds, std::size_t expected,
+           Steps &steps)
+        : m_prepared(prepared), m_kinds(kinds), m_expected(expected), m_steps(steps)
     {
         m_meter.limit = std::numeric_limits<Steps>::max();
         m_filling.rows =
@@ -70,7 +102,8 @@ private:
     bool putOn(OpenSheet &sheet, int piece)
     {
         const auto index = static_cast<std::size_t>(piece);
-        const auto pose = leftmost(*sheet.board, m_prepared.shapes[index], 0, m_filling, m_meter);
+        const auto pose = leftmost(*sheet.board, m_prepared.shapes[index], 0, m_filling,
+                                   sheet.starts[m_kinds[index]], m_meter);
         if (!pose)
             return false;
         sheet.board->add(index, *pose);
@@ -102,6 +135,7 @@ private:
     }
 
     const Prepared &m_prepared;
+    const std::vector<int> &m_kinds;
     std::size_t m_expected;
     Steps &m_steps;
     Meter m_meter;
@@ -163,13 +197,14 @@ double usedLength(const Prepared &prepared, const Laid &laid)
 
 Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
 {
+    const std::vector<int> kinds = kindsOfOutlines(prepared);
     Laid best;
     bool isFirst = true;
     for (const Order order : {Order::Area, Order::Length, Order::Width}) {
         const std::vector<int> pieces = ordered(prepared, problem, order);
         if (!isFirst && pieces.size() > kFewPieces)
             break;
-        Filler filler(prepared, pieces.size(), steps);
+        Filler filler(prepared, kinds, pieces.size(), steps);
         for (const int piece : pieces)
             filler.put(piece);
         Laid laid = filler.take();

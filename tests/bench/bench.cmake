@@ -5,6 +5,7 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/counted_memory.cpp
     ${CMAKE_CURRENT_LIST_DIR}/drawing_growth.cpp
     ${CMAKE_CURRENT_LIST_DIR}/edited_section.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/fabrication_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/generated_models.cpp
     ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measure.cpp

@@ -3,6 +3,7 @@
 #include "core/io/error_text.h"
 #include "tests/bench/adjust_cost.h"
 #include "tests/bench/drawing_growth.h"
+#include "tests/bench/fabrication_cost.h"
 #include "tests/bench/generated_models.h"
 #include "tests/bench/kernel.h"
 #include "tests/bench/mesh_cost.h"
@@ -173,6 +174,10 @@ int main(int argc, char **argv)
                       QStringLiteral("What values that are made of each other cost, of the runs "
                                      "the shortest, and moves of the sliders of the folders' "
                                      "models, instead.")});
+    parser.addOption({QStringLiteral("fabrication"),
+                      QStringLiteral("What it costs to lay the folders' models on sheets, to lay "
+                                     "them again after an edit of one part, and to write them, "
+                                     "instead; of the runs the shortest.")});
     parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
                                  QStringLiteral("[FOLDER…]"));
     parser.process(application);
@@ -243,6 +248,16 @@ int main(int argc, char **argv)
         if (!rows)
             return fail(io::errorText(rows.error()));
         QTextStream(stdout) << QString::fromStdString(strengthTables(*rows, peer));
+        return 0;
+    }
+    if (parser.isSet(QStringLiteral("fabrication"))) {
+        const auto rows =
+            rowsOf<FabricationCost>(cases, isWanted, kernel, [runs](const Case &item) {
+                return fabricationCost(item.name, item.path, runs);
+            });
+        if (!rows)
+            return fail(io::errorText(rows.error()));
+        QTextStream(stdout) << QString::fromStdString(fabricationTable(*rows));
         return 0;
     }
     const auto measured = rowsOf<Measurement>(cases, isWanted, kernel, [runs](const Case &item) {
