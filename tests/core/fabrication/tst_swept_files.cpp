@@ -13,6 +13,7 @@
 #include "core/operations/evaluate.h"
 #include "tests/core/analysed.h"
 #include "tests/core/fabrication/swept_file_oracle.h"
+#include "tests/core/session/random_edits.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -24,6 +25,9 @@ using namespace fff;
 using namespace fff::test;
 
 namespace {
+
+constexpr unsigned kMadeUp = 100, kOfARow = 10;
+constexpr int kEdits = 30;
 
 /// Of all its stocks.
 Analysis withKerf(Document document, double kerf)
@@ -115,6 +119,8 @@ private Q_SLOTS:
     void whatTheOracleFinds();
     void models_data();
     void models();
+    void madeUp_data();
+    void madeUp();
 };
 
 // A test must be able to fail: a path that is off by a hundredth is found, either way.
@@ -161,6 +167,33 @@ void TestSweptFiles::models()
     int judged = 0;
     const QString fault = firstFault(*all, analysis.model, judged);
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    QVERIFY(judged > 0);
+}
+
+void TestSweptFiles::madeUp_data()
+{
+    QTest::addColumn<unsigned>("first");
+    for (unsigned first = 1; first <= kMadeUp; first += kOfARow)
+        QTest::addRow("seeds %u to %u", first, first + kOfARow - 1) << first;
+}
+
+// Models of a hundred random hands: crossings at all angles, slivers, holes.
+void TestSweptFiles::madeUp()
+{
+    QFETCH(unsigned, first);
+    int judged = 0;
+    for (unsigned seed = first; seed < first + kOfARow; ++seed) {
+        RandomEdits edits(seed);
+        Document document = newDocument();
+        for (int edit = 0; edit < kEdits; ++edit)
+            document = edits.next(document);
+        const Analysis analysis = withKerf(std::move(document), 0.2);
+        const auto all = laidOut(analysis);
+        if (!all)
+            continue;
+        const QString fault = firstFault(*all, analysis.model, judged);
+        QVERIFY2(fault.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(fault)));
+    }
     QVERIFY(judged > 0);
 }
 
