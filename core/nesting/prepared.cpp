@@ -5,6 +5,7 @@
 #include "core/nesting/grown_outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff::nest {
 
@@ -55,18 +56,36 @@ double savingOf(const Problem &problem)
 /// moved back by so much in the end (nester.cpp), but not off holes and bays.
 constexpr double kSheetSlack = 0.2 * kSlackForRounding;
 
-Prepared::Sheet sheetOf(const SheetKind &kind, double inset)
+/// Where the room round outlines is more than the margin a sheet is larger by the rest. An edge
+/// that turns inwards would lose its corner by that, and a piece could lie over it: what is no
+/// rectangle stays as large as it is.
+bool isBox(const Region &outline)
+{
+    constexpr double kSame = 1e-9; // share
+    const Vec2 size = bounds(outline.outer).size();
+    return outline.holes.empty() &&
+           std::abs(signedArea(outline.outer)) >= (1.0 - kSame) * size.x() * size.y();
+}
+
+/// room  round every outline
+Prepared::Sheet sheetOf(const SheetKind &kind, double inset, double room)
 {
     Prepared::Sheet sheet;
     sheet.count = kind.count;
-    const Inside inside = insideOf(swapped(kind.outline), inset);
+    const Inside inside =
+        insideOf(swapped(kind.outline), isBox(kind.outline) ? inset : std::max(inset, 0.0));
     sheet.box = inside.box;
     if (!sheet.box.isEmpty())
         sheet.box = {sheet.box.min - Vec2::Constant(kSheetSlack),
                      sheet.box.max + Vec2::Constant(kSheetSlack)};
-    for (const Region &obstacle : inside.obstacles)
+    const auto add = [&sheet](const Region &obstacle) {
         sheet.obstacles.push_back(
             shapeOf(obstacle, {Vec2::UnitX()}, false, std::abs(fff::area(obstacle))));
+    };
+    for (const Region &obstacle : inside.obstacles)
+        add(obstacle);
+    for (const Polygon &outline : kind.taken)
+        add(grownOutline({swapped(outline), {}}, room, 0.0));
     return sheet;
 }
 
@@ -103,7 +122,7 @@ Prepared prepare(const Problem &problem)
         prepared.sheets.push_back(stripOf(prepared, problem, inset));
     else
         for (const SheetKind &kind : problem.sheets)
-            prepared.sheets.push_back(sheetOf(kind, inset));
+            prepared.sheets.push_back(sheetOf(kind, inset, room));
     return prepared;
 }
 

@@ -27,7 +27,8 @@ struct Piece
 struct SheetKind
 {
     Region outline;
-    int count = 1; // how many of it there are; kUnlimited: as many as it takes
+    int count = 1;                   // how many of it there are; kUnlimited: as many as it takes
+    std::vector<Polygon> taken = {}; // outlines that lie there already, off which others are laid
 
     static constexpr int kUnlimited = -1;
 };

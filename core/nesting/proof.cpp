@@ -178,6 +178,15 @@ Region containerOf(const Problem &problem, const Solution &solution, int sheet)
     return problem.sheets[static_cast<std::size_t>(kind)].outline;
 }
 
+const std::vector<Polygon> &takenOf(const Problem &problem, const Solution &solution, int sheet)
+{
+    static const std::vector<Polygon> kNone;
+    if (problem.stripHeight > 0.0)
+        return kNone;
+    const int kind = solution.sheets[static_cast<std::size_t>(sheet)];
+    return problem.sheets[static_cast<std::size_t>(kind)].taken;
+}
+
 bool mayBeTurned(const Piece &piece, const Vec2 &turn)
 {
     return piece.turnsFreely ||
@@ -226,6 +235,10 @@ std::optional<Fault> faultOf(const Problem &problem, const Solution &solution)
             lyingAs(containerOf(problem, solution, place.sheet), Vec2::UnitX(), Vec2::Zero());
         if (isOutside(lying.back(), container, margin))
             return Fault{Fault::Kind::OutsideOfSheet, index, -1};
+        for (const Polygon &taken : takenOf(problem, solution, place.sheet))
+            if (const auto kind = faultBetween(
+                    lying.back(), lyingAs({taken, {}}, Vec2::UnitX(), Vec2::Zero()), apart))
+                return Fault{*kind, index, -1};
         order.push_back(order.size());
     }
     // By sheets and then from the left; each with those that begin before it ends.

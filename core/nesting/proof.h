@@ -14,7 +14,7 @@ struct Fault
 
     Kind kind = Kind::Overlap;
     int first = 0;   // index of the place
-    int second = -1; // of the other one, if any
+    int second = -1; // of the other one; none: the sheet's edge, or what is taken of it
 };
 
 /// The first fault, or none. True outlines where they lie, snapped to the grid of kClipGrid: there
