@@ -1,10 +1,13 @@
 // flatfitfab-cli: all of the product without a window.
 
 #include "app/cli/command_line.h"
+#include "core/io/error_text.h"
+#include "core/io/own_libraries.h"
 
 #include <QByteArrayList>
 #include <QGuiApplication>
 #include <QLocale>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <clocale>
@@ -57,6 +60,15 @@ QString helpText()
     return text + QLatin1Char('\n');
 }
 
+/// Where the window has them, too.
+void addOwnLibraries()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                           QStringLiteral("/flatfitfab");
+    for (const fff::Error &error : fff::io::addOwnLibraries(folder))
+        fff::cli::printError(fff::io::errorText(error));
+}
+
 /// Of Qt, the first that can be reached.
 QByteArray platforms()
 {
@@ -84,8 +96,14 @@ std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
         std::any_of(argv + std::min(argc, 1), argv + argc, [](const char *text) {
             return qstrcmp(text, "--help") == 0 || qstrcmp(text, "-h") == 0;
         });
-    const bool isPicture =
-        argc >= 2 && (qstrcmp(argv[1], "render") == 0 || qstrcmp(argv[1], "steps") == 0);
+    const auto isVerb = [&](const char *name) { return argc >= 2 && qstrcmp(argv[1], name) == 0; };
+    // Steps are among what a workshop gets.
+    const bool isForWorkshop =
+        isVerb("export") && std::any_of(argv + 2, argv + argc, [](const char *text) {
+            const QByteArray word = QByteArray(text).toLower();
+            return word.endsWith(".zip") || word == "zip" || word == "--format=zip";
+        });
+    const bool isPicture = isVerb("render") || isVerb("steps") || isForWorkshop;
     if (!isPicture || asksForHelp)
         return std::make_unique<QCoreApplication>(argc, argv);
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
@@ -120,6 +138,7 @@ int main(int argc, char *argv[])
         return fff::cli::print(helpText().toStdString());
     if (first == QStringLiteral("--version"))
         return fff::cli::print("FlatFitFab " FFF_VERSION "\n");
+    addOwnLibraries();
     for (const fff::cli::Verb &verb : fff::cli::verbs())
         if (first == QLatin1String(verb.name))
             return verb.run(arguments.mid(1));

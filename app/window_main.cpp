@@ -1,6 +1,7 @@
 // The window: flatfitfab [--copy] [--play SCRIPT] [FILE…]
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "core/io/own_libraries.h"
 #include "ui/base/field_style.h"
 #include "ui/base/focus_frame.h"
 #include "ui/base/translations.h"
@@ -141,6 +142,10 @@ int main(int argc, char *argv[])
     describe(parser);
     parser.process(application);
 
+    for (const fff::Error &error : fff::io::addOwnLibraries(fff::ui::Settings::dataFolder())) {
+        complain(error);
+        fff::ui::noteInLog(fff::io::errorText(error));
+    }
     fff::ui::MainWindow *window = fff::ui::openWindow();
     const QStringList files = parser.positionalArguments();
     if (!files.isEmpty())

@@ -1,12 +1,13 @@
 #include "app/cli/command_line.h"
 
+#include "app/cli/sheet_options.h"
 #include "app/cli/value_options.h"
 #include "core/io/error_text.h"
 #include "core/io/listing.h"
+#include "core/io/material_library.h"
 #include "core/io/stock_file.h"
 #include "core/io/warning_summary.h"
 #include "core/model/edits.h"
-#include "core/model/materials.h"
 #include "core/model/operation_edits.h"
 
 #include <QCoreApplication>
@@ -90,8 +91,18 @@ QString usageLine(const Verb &verb)
     return QStringLiteral("flatfitfab-cli ") + usageOf(verb);
 }
 
+/// That one in which it is sold by this thickness, mm; else its usual one.
+const Stock &ofThickness(const Material &material, std::optional<double> thickness)
+{
+    for (const Stock &stock : material.stocks)
+        if (thickness == stock.nominalThickness.value_or(stock.thickness))
+            return stock;
+    return material.stocks.front();
+}
+
 /// A stock of the document or a built-in one, by name, whatever the case.
-std::optional<Stock> stockNamed(const Document &document, const QString &name)
+std::optional<Stock> stockNamed(const Document &document, const QString &name,
+                                std::optional<double> thickness)
 {
     const auto matches = [&](const Stock &stock) {
         return QString::fromStdString(stock.name).compare(name, Qt::CaseInsensitive) == 0;
@@ -102,14 +113,15 @@ std::optional<Stock> stockNamed(const Document &document, const QString &name)
     for (const Stock &stock : {birchPlywood(), flatfabAcrylic()})
         if (matches(stock))
             return stock;
-    for (const Material &material : materials())
-        if (matches(material.stock))
-            return material.stock;
+    for (const Material &material : io::materialLibrary())
+        if (matches(material.stocks.front()))
+            return ofThickness(material, thickness);
     return std::nullopt;
 }
 
 /// Every section onto one stock: `--stock`.
-std::optional<int> applyStock(Document &document, const QString &name, const Verb &verb)
+std::optional<int> applyStock(Document &document, const QString &name,
+                              std::optional<double> thickness, const Verb &verb)
 {
     std::optional<Stock> stock;
     if (name.endsWith(QStringLiteral(".fff"), Qt::CaseInsensitive)) {
@@ -118,7 +130,7 @@ std::optional<int> applyStock(Document &document, const QString &name, const Ver
             return report(read.error());
         stock = *read;
     } else {
-        stock = stockNamed(document, name);
+        stock = stockNamed(document, name, thickness);
     }
     if (!stock)
         return wrongUse(verb, tr("There is no stock \"%1\". Choose one of the file, or of the list "
@@ -150,6 +162,8 @@ QString whyNotStock(const std::string &field, const Stock &stock, const Document
         return tr("--thickness %1 leaves no room for slits in the stock %2: its clearance is %3 "
                   "mm.")
             .arg(QString::number(stock.thickness), name, QString::number(stock.clearance));
+    if (field == "spares")
+        return tr("--offcut: so many offcuts of the stock %1 are too many.").arg(name);
     return tr("--%1 does not fit the stock %2, which is %3 mm thick.")
         .arg(QString::fromStdString(field), name, QString::number(stock.thickness));
 }
@@ -263,7 +277,7 @@ void addDocumentOptions(QCommandLineParser &parser)
     add("stock", tr("Cuts every section from this stock, or from that of a .fff file."), "NAME");
     add("kerf", tr("Full width that the machine removes."), "MM");
     add("clearance", tr("Play added to slits; less than 0 for a press fit."), "MM");
-    add("sheet", tr("Size of a sheet, such as 600x400."), "WxH");
+    addSheetOptions(parser);
     addFormatOptions(parser, io::FormatOption::Of::Reading);
     parser.addOption({QStringLiteral("verbose"),
                       tr("Says of each thing in the file that was corrected where.")});
@@ -350,14 +364,8 @@ std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser,
         options.clearance = number(parser, verb, "clearance", -kMaxCoordinate, status);
     if (!status)
         options.reading = formatValues(parser, verb, io::FormatOption::Of::Reading, status);
-    const QString sheet = parser.value(QStringLiteral("sheet"));
-    if (!status && parser.isSet(QStringLiteral("sheet"))) {
-        options.sheet = sizeOf(sheet);
-        if (!options.sheet)
-            status = wrongUse(verb, tr("--sheet: found \"%1\", expected width x height in mm, such "
-                                       "as 600x400.")
-                                        .arg(sheet));
-    }
+    if (!status)
+        readSheets(parser, verb, options, status);
     if (parser.isSet(QStringLiteral("stock")))
         options.stock = parser.value(QStringLiteral("stock"));
     options.values = parser.values(QStringLiteral("set"));
@@ -373,15 +381,18 @@ std::optional<int> applyOptions(Document &document, const DocumentOptions &optio
         return wrongUse(verb, tr("--set: %1").arg(agreed.error()));
     document = *std::move(agreed);
     if (options.stock) {
-        if (const auto status = applyStock(document, *options.stock, verb))
+        if (const auto status = applyStock(document, *options.stock, options.thickness, verb))
             return status;
     }
     for (const auto &pointer : std::vector(document.stocks)) {
         Stock stock = *pointer;
+        stock.spares.insert(stock.spares.end(), options.offcuts.begin(), options.offcuts.end());
         stock.thickness = options.thickness.value_or(stock.thickness);
         stock.kerf = options.kerf.value_or(stock.kerf);
         stock.clearance = options.clearance.value_or(stock.clearance);
         stock.sheet = options.sheet.value_or(stock.sheet);
+        if (options.sheetCount)
+            stock.sheetCount = options.sheetCount;
         Result<Document> next = setStock(document, stock);
         if (!next)
             return wrongUse(verb, whyNotStock(next.error().place, stock, options));

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fff::cli {
 
@@ -68,8 +69,8 @@ QString modelFiles();
 QString usageOf(const Verb &verb);
 QString purposeOf(const Verb &verb);
 
-/// --set, --thickness, --stock, --kerf, --clearance, --sheet: they override the document for this
-/// run, values first, so that a plain number counts in place of what is made of them; and
+/// --set, --thickness, --stock, --kerf, --clearance, --sheet, --offcut: they override the document
+/// for this run, values first, so that a plain number counts in place of what is made of them; and
 /// what readers may be told (core/io/formats.h), and --verbose.
 void addDocumentOptions(QCommandLineParser &parser);
 
@@ -78,6 +79,8 @@ struct DocumentOptions
 {
     std::optional<double> thickness, kerf, clearance; // mm
     std::optional<Vec2> sheet;                        // mm
+    std::optional<int> sheetCount;                    // of whole ones
+    std::vector<SpareSheet> offcuts;                  // besides those of each stock
     std::optional<QString> stock;
     QStringList values;       // NAME=VALUE
     io::FormatValues reading; // of the formats' options

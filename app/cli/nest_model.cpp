@@ -4,6 +4,7 @@
 #include "core/analysis/lying_parts.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/nested_layout.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/fabrication/wholeness.h"
 #include "core/io/json_writer.h"
 #include "core/nesting/nester.h"
@@ -88,6 +89,8 @@ void writeSheet(JsonWriter &json, const Sheet &sheet, const PartsToNest &of)
     json.member("size", sheet.size);
     const Stock *stock = of.model.document.find(sheet.stock);
     json.member("stock", stock ? stock->name : std::string());
+    if (sheet.index < 0)
+        json.member("offcut", -sheet.index); // which of its stock's, from 1 on
     json.member("fill", fillOf(sheet, of.parts));
     json.key("parts");
     json.beginArray();
@@ -159,6 +162,12 @@ int nestModel(const QString &file, const DocumentOptions &documentOptions, const
     addWishes(of->model, bodiesOfParts(of->model, of->parts), options);
     const NestGuard guard(asked.seconds);
     const NestedLayout nested = nestOut(of->parts, of->model, options, guard.work());
+    for (const auto &stock : of->model.document.stocks)
+        if (const int missing = missingSheets(nested.layout, *stock); missing > 0)
+            //: %1 is a stock, %2 a number
+            printError(tr("Sheets of %1 that are missing: %2")
+                           .arg(QString::fromStdString(stock->name))
+                           .arg(missing));
     for (const std::string &name : namesOfTooLarge(nested.layout, *of))
         printError(tr("%1: a part is too large for its sheet.").arg(QString::fromStdString(name)));
     return asked.asJson ? print(nestJson(nested, *of, asked)) : printLines(nestText(nested, *of));

@@ -1,6 +1,9 @@
 #include "app/cli/output.h"
 
 #include "app/cli/cut_options.h"
+#ifdef FFF_HAS_VIEW
+#include "app/cli/enclosed_steps.h"
+#endif
 #include "app/cli/info.h"
 #include "core/analysis/plan_checks.h"
 #include "core/fabrication/cutting_order.h"
@@ -10,6 +13,8 @@
 #include "core/io/file_set.h"
 #include "core/io/listing.h"
 #include "core/io/machine_library.h"
+#include "core/io/workshop_archive.h"
+#include "core/model/machine_kerfs.h"
 #include "core/nesting/problem.h"
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
@@ -248,16 +253,34 @@ QString bedText(const Machine &machine, const CuttingDrawing &drawing)
     return text;
 }
 
+/// With what the machine removes of its stocks, where that is known and nothing else was asked for.
+Document onMachine(const QCommandLineParser &parser, const Document &document,
+                   const Machine *machine)
+{
+    return machine && !parser.isSet(QStringLiteral("kerf")) ? cutOn(document, machine->key)
+                                                            : document;
+}
+
 int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const Document &document,
                      const QString &input)
 {
-    const Result<Analysis> analysis = analysed(document, input);
-    if (!analysis)
-        return report(analysis.error());
     QString why; // nothing: whyNoOutput has looked
     io::CuttingFileOptions options = cuttingOptions(parser, why).value_or(io::CuttingFileOptions());
+    const Result<Analysis> analysis =
+        analysed(onMachine(parser, document, options.machine.get()), input);
+    if (!analysis)
+        return report(analysis.error());
     options.format = &wish.format;
     options.values = wish.values;
+#ifdef FFF_HAS_VIEW
+    if (options.format == &io::workshopFormat()) {
+        QString none;
+        options.enclosed = enclosedSteps(*analysis, QFileInfo(input).completeBaseName(), none);
+        if (options.enclosed.empty())
+            //: %1 is a sentence
+            printError(tr("The steps are not among the files: %1").arg(none));
+    }
+#endif
     const Result<io::CuttingFile> file = io::makeCuttingFile(*analysis, options);
     if (!file)
         return report(file.error(), input);
@@ -276,6 +299,17 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
     printError(made);
     if (options.machine)
         printError(bedText(*options.machine, file->drawing));
+    for (const Stock &stock : file->drawing.stocks)
+        if (!(roomOf(stock.sheet, options.layout).minCoeff() > 0.0))
+            //: %1 is a stock, %2 a length
+            printError(tr("Sheets of %1 have no room within margins of %2 mm.")
+                           .arg(QString::fromStdString(stock.name),
+                                QString::number(options.layout.margin)));
+    for (const MissingSheets &missing : file->missing)
+        //: %1 is a stock, %2 a number
+        printError(tr("Sheets of %1 that are missing: %2")
+                       .arg(QString::fromStdString(missing.stock))
+                       .arg(missing.count));
     printNames(
         QT_TRANSLATE_NOOP("CommandLine", "Too large for the sheet, on sheets of their own: %1"),
         file->oversized);
@@ -370,8 +404,9 @@ int writeOutput(const QCommandLineParser &parser, const Verb &verb, const Docume
     if (parser.isSet(QStringLiteral("coupon"))) {
         QString why; // nothing: whyNoOutput has looked
         const auto options = cuttingOptions(parser, why);
-        return writeCoupon(wish.format, wish.values, wish.path, document,
-                           options ? options->machine : nullptr);
+        const std::shared_ptr<const Machine> machine = options ? options->machine : nullptr;
+        return writeCoupon(wish.format, wish.values, wish.path,
+                           onMachine(parser, document, machine.get()), machine);
     }
     if (wish.format.writesCutting())
         return writeCuttingFile(parser, wish, document, input);

@@ -4,6 +4,7 @@
 #include "core/analysis/lying_parts.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/fabrication/wholeness.h"
 #include "core/geometry/offset.h"
 #include "core/geometry/uncut.h"
@@ -100,6 +101,13 @@ Result<void> judgeWritten(const Analysis &analysis, const Layout &layout,
     return {};
 }
 
+/// Boxes go on whole sheets only.
+bool hasSpares(const Document &document)
+{
+    return std::any_of(document.stocks.begin(), document.stocks.end(),
+                       [](const auto &stock) { return !stock->spares.empty(); });
+}
+
 /// Each part once.
 bool isOf(const Layout &layout, std::size_t partCount)
 {
@@ -117,9 +125,11 @@ Layout layoutOf(const Model &model, const std::vector<Part> &parts, const Cuttin
 {
     if (options.lying && isOf(*options.lying, parts.size()))
         return *options.lying;
-    if (!options.nesting)
+    if (!options.nesting && !hasSpares(model.document))
         return layOut(parts, model, options.layout);
-    NestOptions nesting = *options.nesting;
+    NestOptions nesting = options.nesting.value_or(NestOptions());
+    if (!options.nesting && !options.layout.turnsFreely)
+        nesting.turning = nest::Turning::Quarter;
     nesting.layout = options.layout;
     addWishes(model, bodiesOfParts(model, parts), nesting);
     return nestOut(parts, model, nesting).layout;
@@ -182,6 +192,9 @@ Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout
     }
     Cutting cutting = std::move(parts.cutting);
     cutting.usedShare = usedShare(layout, parts.parts);
+    for (const auto &stock : analysis.model.document.stocks)
+        if (const int count = missingSheets(layout, *stock); count > 0)
+            cutting.missing.push_back({stock->name, count});
     for (const int index : layout.oversized)
         addOnce(cutting.oversized, nameOf(analysis, parts.parts[static_cast<std::size_t>(index)]));
     cutting.drawing =

@@ -39,6 +39,13 @@ struct DrawnSlit
     double width = 0.0, kerf = 0.0; // mm; what is cut is as wide as both together
 };
 
+/// Whole sheets of a stock that are taken beyond those that there are.
+struct MissingSheets
+{
+    std::string stock; // its name
+    int count = 0;
+};
+
 struct Cutting
 {
     CuttingDrawing drawing;
@@ -49,7 +56,8 @@ struct Cutting
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
     std::vector<std::string> unmarkedJoints; // the same for the numbers of all its joints
     std::vector<std::string> uncut; // with a hole or a notch that is narrower than the kerf
-    std::optional<DrawnSlit> slit;  // of any
+    std::vector<MissingSheets> missing;
+    std::optional<DrawnSlit> slit; // of any
 
     int sheetCount() const { return static_cast<int>(drawing.sheets.size()); }
 };

@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/lying_parts.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/nesting/nester.h"
 
 #include <algorithm>
@@ -58,6 +59,11 @@ const Nested *before(const Nested *previous, const SheetsQuestion &question)
     return isKnown ? previous : nullptr;
 }
 
+bool areSame(const std::shared_ptr<const Region> &a, const std::shared_ptr<const Region> &b)
+{
+    return a == b || (a && b && a->outer == b->outer && a->holes == b->holes);
+}
+
 /// As the stocks have them now.
 bool areSheetsTheSame(const Layout &layout, const Model &model, const LayoutOptions &options)
 {
@@ -69,7 +75,13 @@ bool areSheetsTheSame(const Layout &layout, const Model &model, const LayoutOpti
     };
     return std::all_of(layout.sheets.begin(), layout.sheets.end(), [&](const Sheet &sheet) {
         const Stock *stock = model.document.find(sheet.stock);
-        return !stock || isOversized(sheet) || sheet.size == options.sheet.value_or(stock->sheet);
+        if (!stock || isOversized(sheet))
+            return true;
+        const SheetSupply supply(*stock, options);
+        if (!supply.has(sheet.index))
+            return false;
+        const Sheet now = supply.sheet(sheet.index);
+        return now.size == sheet.size && areSame(now.outline, sheet.outline);
     });
 }
 

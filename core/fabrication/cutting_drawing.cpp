@@ -50,6 +50,7 @@ CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
         CuttingSheet &all = drawing.sheets.emplace_back();
         all.number = static_cast<int>(drawing.sheets.size());
         all.size = sheet.size;
+        all.outline = sheet.outline;
         all.stock = sheet.stock;
         all.finish = options.finish.value_or(machineOf(drawing).finish);
         all.parts.reserve(sheet.placements.size());
@@ -64,6 +65,16 @@ CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
                         [&](const Sheet &sheet) { return sheet.stock == stock->id; }))
             drawing.stocks.push_back(*stock);
     return drawing;
+}
+
+std::vector<Polygon> edgesOf(const CuttingSheet &sheet)
+{
+    const Vec2 &size = sheet.size;
+    if (!sheet.outline)
+        return {{{0.0, 0.0}, {size.x(), 0.0}, size, {0.0, size.y()}}};
+    std::vector<Polygon> rings{sheet.outline->outer};
+    rings.insert(rings.end(), sheet.outline->holes.begin(), sheet.outline->holes.end());
+    return rings;
 }
 
 CuttingDrawing onSheet(const CuttingDrawing &drawing, std::size_t index)

@@ -123,7 +123,8 @@ private:
 struct CuttingSheet
 {
     int number = 1;
-    Vec2 size = Vec2::Zero(); // mm
+    Vec2 size = Vec2::Zero();              // mm
+    std::shared_ptr<const Region> outline; // of an offcut; null: a rectangle of that size
     StockId stock;
     std::vector<CuttingPart> parts;
     CutFinish finish; // of its cuts, as a machine follows them (cutting_order.h)
@@ -151,6 +152,9 @@ struct DrawingOptions
 CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
                               std::vector<Engraving> engravings, const Model &model,
                               const DrawingOptions &options = {});
+
+/// The rings of an offcut, closed, or the four corners of a rectangle.
+std::vector<Polygon> edgesOf(const CuttingSheet &sheet);
 
 /// The sheet at the index alone, with its stock.
 CuttingDrawing onSheet(const CuttingDrawing &drawing, std::size_t index);

@@ -1,7 +1,7 @@
 #include "core/fabrication/hand_placing.h"
 
 #include "core/base/tolerances.h"
-#include "core/fabrication/pins.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/geometry/turning.h"
 #include "core/nesting/proof.h"
 #include "core/nesting/sliding.h"
@@ -118,9 +118,10 @@ bool HandPlacing::isSound(const HandPlace &place) const
 {
     if (!takes(place.sheet) || !place.offset.allFinite() || !place.turn.allFinite())
         return false;
-    nest::Problem problem =
-        plainSheets(m_layout.sheets[static_cast<std::size_t>(place.sheet)].size, m_options);
-    problem.chord = 0.0; // as all that is pinned is judged
+    nest::Problem problem;
+    problem.margin = m_options.margin;
+    problem.spacing = m_options.spacing; // without chords, as all that is pinned is judged
+    problem.sheets = {{outlineOf(m_layout.sheets[static_cast<std::size_t>(place.sheet)]), 1}};
     nest::Solution solution;
     solution.sheets = {0};
     const auto add = [&](Region outline, const Vec2 &turn, const Vec2 &offset) {

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/fabrication/open_sheets.h"
+#include "core/fabrication/sheet_supply.h"
 
 #include <algorithm>
 #include <array>
@@ -320,7 +321,7 @@ double usedShare(const Layout &layout, const std::vector<SizedPart> &parts)
 {
     double used = 0.0, whole = 0.0;
     for (const Sheet &sheet : layout.sheets) {
-        whole += sheet.size.x() * sheet.size.y();
+        whole += areaOf(sheet);
         for (const Placement &placement : sheet.placements)
             used += parts[static_cast<std::size_t>(placement.part)].size->area;
     }

@@ -32,7 +32,10 @@ struct Sheet
     StockId stock;
     Vec2 size = Vec2::Zero();
     std::vector<Placement> placements;
-    int index = 0; // among those of its stock, of which some may be empty and not there
+    /// Among the whole ones of its stock, of which some may be empty and not there; of its spare
+    /// ones -1 is the first (SheetSupply).
+    int index = 0;
+    std::shared_ptr<const Region> outline = {}; // of an offcut; null: a rectangle of that size
 };
 
 struct Layout
@@ -48,10 +51,10 @@ struct Layout
 /// is used, then the parts as drawn. A part that fits the sheet only at an angle is turned to that
 /// angle; it fits none when no turn of its hull does.
 ///
-/// All parts of a stock on its own sheets, in the order of the document's stocks; oversized ones
-/// last. No two parts are nearer than the spacing, none is nearer to the edge than the margin.
-/// Deterministic. O(parts · parts of a sheet) for each try where parts have a few sizes
-/// (OpenSheets), O(v log v) for the hull of a part with v vertices.
+/// All parts of a stock on its own whole sheets, however many there are, in the order of the
+/// document's stocks; oversized ones last. No two parts are nearer than the spacing, none is nearer
+/// to the edge than the margin. Deterministic. O(parts · parts of a sheet) for each try where parts
+/// have a few sizes (OpenSheets), O(v log v) for the hull of a part with v vertices.
 Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options);
 
 /// A part by its size alone, in the room of its stock's sheet.

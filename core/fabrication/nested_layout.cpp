@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/fabrication/pins.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/geometry/turning.h"
 #include "core/nesting/nester.h"
 
@@ -14,11 +15,10 @@ namespace fff {
 
 namespace {
 
-/// The parts of a stock, and its sheet.
+/// The parts of a stock, and its sheets.
 struct StockParts
 {
-    StockId stock;
-    Vec2 sheet = Vec2::Zero();
+    SheetSupply supply;
     std::vector<int> parts; // that are to be laid
     std::vector<PinnedPart> pinned;
     std::size_t count = 0; // of both
@@ -29,7 +29,7 @@ std::vector<StockParts> byStock(const std::vector<Part> &parts, const Model &mod
 {
     std::vector<StockParts> stocks;
     for (const auto &stock : model.document.stocks) {
-        StockParts of{stock->id, options.sheet.value_or(stock->sheet), {}, {}, 0};
+        StockParts of{SheetSupply(*stock, options), {}, {}, 0};
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (parts[i].stock == stock->id)
                 of.parts.push_back(static_cast<int>(i));
@@ -50,7 +50,7 @@ void pin(const std::vector<Part> &parts, const NestOptions &options, StockParts 
             wished.push_back(one);
     if (wished.empty())
         return;
-    SoundPins sound = soundPins(parts, stock.sheet, options.layout, std::move(wished));
+    SoundPins sound = soundPins(parts, stock.supply, options.layout, std::move(wished));
     std::set<int> stay;
     for (const PinnedPart &one : sound.pinned)
         stay.insert(one.part);
@@ -80,46 +80,38 @@ nest::Piece pieceOf(const Part &part, nest::Turning turning, bool hasHoles, cons
     return piece;
 }
 
-/// With pinned parts each sheet that has some is a kind of its own, once, in their order, and the
-/// plain one comes after them.
 nest::Problem problemOf(const std::vector<Part> &parts, const StockParts &stock,
                         const NestOptions &options)
 {
-    const Vec2 &size = stock.sheet;
-    nest::Problem problem = stock.pinned.empty()
-                                ? plainSheets(size, options.layout)
-                                : sheetsAround(parts, size, options.layout, stock.pinned);
+    nest::Problem problem = sheetsAround(parts, stock.supply, options.layout, stock.pinned);
     // Chords of an outline may be within it by that much, and so do its pieces have to be.
-    const Vec2 room = roomOf(size, options.layout) - Vec2::Constant(2.0 * kCutChord);
+    const Vec2 room =
+        roomOf(stock.supply.whole(), options.layout) - Vec2::Constant(2.0 * kCutChord);
     for (const int part : stock.parts)
         problem.pieces.push_back(pieceOf(parts[static_cast<std::size_t>(part)],
                                          turningOf(options, part), options.fillsHoles, room));
     return problem;
 }
 
-/// Sheets with pinned parts first, in their order, whether or not others came to lie there.
+/// Offcuts, sheets with pinned parts in their order, whether or not others came to lie there, and
+/// plain ones.
 void addSheets(const nest::Solution &solution, const StockParts &stock, Layout &layout)
 {
-    std::map<int, Sheet> sheets; // by the kinds of those with pinned parts, then one by one
-    for (const PinnedPart &one : stock.pinned) {
-        Sheet &sheet = sheets[one.sheet];
-        sheet = {stock.stock, stock.sheet, std::move(sheet.placements), one.sheet};
-        sheet.placements.push_back({one.part, one.turn, one.offset});
-    }
-    const int kinds = stock.pinned.empty() ? 0 : kindsAround(stock.pinned);
-    const auto keyOf = [&](int sheet) {
-        const int kind = solution.sheets[static_cast<std::size_t>(sheet)];
-        return kind < kinds ? kind : kinds + sheet;
-    };
+    // By the kinds of the problem, of which the last is of many sheets.
+    const int last = stock.supply.kindOf(wholeSheetsOf(stock.pinned));
+    std::map<int, std::vector<Placement>> sheets;
+    for (const PinnedPart &one : stock.pinned)
+        sheets[stock.supply.kindOf(one.sheet)].push_back({one.part, one.turn, one.offset});
     for (const nest::Place &place : solution.places) {
-        Sheet &sheet = sheets[keyOf(place.sheet)];
-        sheet = {stock.stock, stock.sheet, std::move(sheet.placements), 0};
-        sheet.placements.push_back(
+        const int kind = solution.sheets[static_cast<std::size_t>(place.sheet)];
+        sheets[kind < last ? kind : last + place.sheet].push_back(
             {stock.parts[static_cast<std::size_t>(place.piece)], place.turn, place.offset});
     }
-    int next = kinds; // plain ones follow those with pinned parts
-    for (auto &[key, sheet] : sheets) {
-        sheet.index = key < kinds ? key : next++;
+    int next = last;
+    for (auto &[key, placements] : sheets) {
+        const int kind = key < last ? key : next++;
+        Sheet sheet = stock.supply.sheet(stock.supply.indexOfKind(kind));
+        sheet.placements = std::move(placements);
         layout.sheets.push_back(std::move(sheet));
     }
 }
@@ -148,7 +140,12 @@ bool mayTurnAsBoxes(const NestOptions &options)
 void takeBetter(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
                 Layout &layout)
 {
-    if (!options.pinned.empty() || !mayTurnAsBoxes(options))
+    const auto hasSpares = [&](const auto &stock) {
+        return SheetSupply(*stock, options.layout).spareCount() > 0;
+    };
+    const auto &stocks = model.document.stocks;
+    if (!options.pinned.empty() || !mayTurnAsBoxes(options) ||
+        std::any_of(stocks.begin(), stocks.end(), hasSpares))
         return;
     const auto isFree = [](nest::Turning turning) { return turning == nest::Turning::Free; };
     LayoutOptions ofBoxes = options.layout;
@@ -219,10 +216,10 @@ double takenArea(const Layout &layout, const std::vector<Part> &parts, const Lay
         if (isOfOversized(*sheet, layout))
             continue;
         const bool isLast = seen.insert(sheet->stock).second;
-        const double height =
-            isLast ? std::min(sheet->size.y(), usedHeight(*sheet, parts) + options.margin)
-                   : sheet->size.y();
-        area += sheet->size.x() * height;
+        area += isLast && !sheet->outline
+                    ? sheet->size.x() *
+                          std::min(sheet->size.y(), usedHeight(*sheet, parts) + options.margin)
+                    : areaOf(*sheet);
     }
     return area;
 }

@@ -11,7 +11,7 @@ namespace fff {
 struct PinnedPart
 {
     int part = 0;              // index into the parts
-    int sheet = 0;             // index among the sheets of its stock
+    int sheet = 0;             // as Sheet::index: of its stock
     Vec2 turn = Vec2::UnitX(); // as a Placement's
     Vec2 offset = Vec2::Zero();
     bool yields = false; // to those that do not, where both cannot stay
@@ -42,10 +42,11 @@ struct NestedLayout
         loosened; // pinned parts that could not stay: too near to others, off the sheet
 };
 
-/// As layOut(), for the same sheets with the same margin and spacing; holes and bays of parts are
-/// room, too. Each stock by itself, with a share of the work that goes by its number of parts. What
-/// fits no sheet as it may be turned is oversized. Never more sheets than layOut() takes, where its
-/// turns are allowed and nothing is pinned.
+/// As layOut(), for the same sheets with the same margin and spacing; before them come the stock's
+/// offcuts and sheets of other sizes, as many as there are. Holes and bays of parts are room, too.
+/// Each stock by itself, with a share of the work that goes by its number of parts. What fits no
+/// sheet as it may be turned is oversized. Never more sheets than layOut() takes, where its turns
+/// are allowed, all sheets are whole ones and nothing is pinned.
 ///
 /// A pinned part stays to the last bit, at any angle, as long as it is sound there; holes of it are
 /// no room then. Of two that are too near to each other the later one is laid with the rest, or
@@ -57,9 +58,9 @@ struct NestedLayout
 NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
                      const LongWork &longWork = {});
 
-/// What a layout takes of its sheets, mm²: all of them, but of each stock's last one only as high
-/// as parts lie there, with the margin: the rest is whole. Not of oversized parts. The less of it,
-/// the better.
+/// What a layout takes of its sheets, mm²: all of them, but of each stock's last one, if it is
+/// rectangular, only as high as parts lie there, with the margin: the rest is whole. Not of
+/// oversized parts. The less of it, the better.
 double takenArea(const Layout &layout, const std::vector<Part> &parts,
                  const LayoutOptions &options);
 /// How much of that parts cover, 0 … 1; 0 without sheets.

@@ -2,20 +2,19 @@
 #pragma once
 
 #include "core/fabrication/nested_layout.h"
+#include "core/fabrication/sheet_supply.h"
 
 #include <vector>
 
 namespace fff {
 
-/// Unlimited sheets of that size, mm, with nothing to lay on them yet.
-nest::Problem plainSheets(const Vec2 &size, const LayoutOptions &options);
-
-/// A sheet for each up to the last that has pinned parts, once; then plain ones, as many as it
-/// takes. Others lie off what is pinned by the spacing, off the edge by the margin.
-nest::Problem sheetsAround(const std::vector<Part> &parts, const Vec2 &size,
+/// The sheets that there are, each up to the last whole one that has pinned parts once, then plain
+/// ones, as many as it takes. Others lie off what is pinned by the spacing, off the edge by the
+/// margin.
+nest::Problem sheetsAround(const std::vector<Part> &parts, const SheetSupply &supply,
                            const LayoutOptions &options, const std::vector<PinnedPart> &pinned);
-/// How many of its kinds have a sheet of their own.
-int kindsAround(const std::vector<PinnedPart> &pinned);
+/// How many whole sheets there are up to the last one of these.
+int wholeSheetsOf(const std::vector<PinnedPart> &pinned);
 
 struct SoundPins
 {
@@ -23,10 +22,10 @@ struct SoundPins
     std::vector<int> loosened;      // parts of the others
 };
 
-/// pinned  of one stock, whose sheets have that size, mm. A sheet that no number of parts could
-///         need is none; of one part the first place counts.
+/// pinned  of one stock. A sheet that there is not, or that no number of parts could need, is none;
+///         of one part the first place counts.
 /// Looked at by nest::faultOf(): exactly.
-SoundPins soundPins(const std::vector<Part> &parts, const Vec2 &size, const LayoutOptions &options,
-                    std::vector<PinnedPart> pinned);
+SoundPins soundPins(const std::vector<Part> &parts, const SheetSupply &supply,
+                    const LayoutOptions &options, std::vector<PinnedPart> pinned);
 
 } // namespace fff

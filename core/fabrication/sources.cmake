@@ -19,6 +19,7 @@ target_sources(fff_core PRIVATE
     fabrication/parts.cpp
     fabrication/room.cpp
     fabrication/shared_cuts.cpp
+    fabrication/sheet_supply.cpp
     fabrication/skyline.cpp
     fabrication/summary.cpp
     fabrication/wholeness.cpp

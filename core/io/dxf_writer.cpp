@@ -78,22 +78,27 @@ ArcPath moved(ArcPath path, const Vec2 &by)
     return path;
 }
 
-DxfLine guide(const Vec2 &corner, const Vec2 &size)
+DxfLine guide(std::span<const Vec2> corners)
 {
-    const std::array<Vec2, 4> corners = cornersOf(corner, size);
-    return {Purpose::Guide,
-            {corners[0], {{corners[1]}, {corners[2]}, {corners[3]}, {corners[0]}}, true}};
+    ArcPath path{corners.front(), {}, true};
+    for (const Vec2 &corner : corners.subspan(1))
+        path.steps.push_back({corner});
+    path.steps.push_back({corners.front()});
+    return {Purpose::Guide, std::move(path)};
 }
 
 std::vector<DxfLine> linesOf(const CuttingDrawing &drawing)
 {
     std::vector<DxfLine> lines;
     const StackedSheets stack = stacked(drawing);
-    const bool hasGuides = machineOf(drawing).hasGuides;
     for (std::size_t i = 0; i < drawing.sheets.size(); ++i) {
         const CuttingSheet &sheet = drawing.sheets[i];
-        if (hasGuides && drawing.sheets.size() > 1)
-            lines.push_back(guide(stack.corners[i], sheet.size));
+        if (hasEdges(drawing, sheet))
+            for (const Polygon &ring : edgesOf(sheet)) {
+                DxfLine edge = guide(ring);
+                edge.path = moved(std::move(edge.path), stack.corners[i]);
+                lines.push_back(std::move(edge));
+            }
         for (const ToolLine &line : inCuttingOrder(sheet)) {
             ArcPath path = moved(arcsAlong(line.curves, line.isClosed), stack.corners[i]);
             if (!path.steps.empty())
@@ -101,7 +106,7 @@ std::vector<DxfLine> linesOf(const CuttingDrawing &drawing)
         }
     }
     if (hasBar(drawing))
-        lines.push_back(guide(stack.reference, kReferenceSize));
+        lines.push_back(guide(cornersOf(stack.reference, kReferenceSize)));
     return lines;
 }
 

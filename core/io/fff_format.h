@@ -2,10 +2,12 @@
 //
 //     { "format": "FlatFitFab", "version": 3, "nextId": 5, "currentStock": 1,
 //       "opensForAdjusting": true,
-//       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
-//                         "flexuralStrength", "modulus", "kerf", "clearance",
+//       "stocks":     [ { "id", "name", "thickness", "nominalThickness", "measured", "density",
+//                         "tensileStrength", "flexuralStrength", "modulus", "kerf",
+//                         "kerfs": [ { "machine", "kerf" } ], "clearance",
 //                         "slitEnd": "square|round|dogbone|tBone", "toolDiameter", "leadIn",
-//                         "bumps", "sheet": [w, h], "price" } ],
+//                         "bumps", "sheet": [w, h], "sheetCount",
+//                         "offcuts": [ { "count", "shape": as in shapes } ], "price" } ],
 //       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
 //       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes, "locked",
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y],
@@ -27,7 +29,8 @@
 //       y],
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ],
 //       "dimensions": [ { "id", "from": { "section": ref, "at": [x, y, z] }, "to": … } ],
-//       "pins":       [ { "section": ref, "body", "sheet", "at": [x, y], "turn": [cos, sin] } ],
+//       "pins":       [ { "section": ref, "body", "sheet", "offcut", "at": [x, y],
+//                         "turn": [cos, sin] } ],
 //       "turnings":   [ { "section": ref, "turning": "none|half|quarter|free" } ],
 //       "numbers":    [ { "name", "expression", "value" } ],
 //       "values":     [ { "id", "name", "kind": "number|length|angle|count|mass|ratio|text|choice|
@@ -57,7 +60,10 @@
 // "id"; "templates" (core/model/template.h), of one all that is not said of it by default, and
 // "blob" or "file"; "blobs" (core/model/blob.h), whose bytes are beside the JSON
 // (core/io/fff_file.h), of these "mediaType" and "name"; of a stock "slitEnd" (then square),
-// "toolDiameter" (3.175), "leadIn" and "bumps" (0), "price" (then it is not known); of an operation
+// "toolDiameter" (3.175), "leadIn" and "bumps" (0), "price" (then it is not known),
+// "nominalThickness" (then it is sold by how thick it is), "measured" (false), "kerfs" (none),
+// "sheetCount" (as many as it takes), "offcuts" (none; core/model/spare_sheet.h) and of one "count"
+// (1); of a pin "offcut" (then "sheet" counts whole ones from 0 on, else offcuts); of an operation
 // "on" (then true), "template" and "stock" (of kinds that make sections of one) and "exceptions".
 // Kinds of operations, their roles and parameters: core/operations; a file keeps also those that do
 // not count. `joints` are those of which something is wanted (core/model/joint_override.h). A

@@ -6,6 +6,7 @@
 #include "core/io/fff_migration.h"
 #include "core/io/fff_operations.h"
 #include "core/io/fff_sheets.h"
+#include "core/io/fff_stocks.h"
 #include "core/io/fff_templates.h"
 #include "core/io/fff_values.h"
 #include "core/io/json_cursor.h"
@@ -41,9 +42,6 @@ private:
     template <class Known>
     std::int64_t readReference(const JsonCursor &cursor, const Known &known);
     SectionRef readRef(const JsonCursor &cursor);
-    std::optional<double> readRated(const JsonCursor &cursor);
-    Stock readStock(const JsonCursor &cursor);
-    void readSlitForm(const JsonCursor &cursor, Stock &stock);
     Contour readContour(const JsonCursor &cursor);
     ShapePointer readShape(const JsonCursor &cursor);
     Frame readFrame(const JsonCursor &cursor, const std::string &ofWhat);
@@ -99,70 +97,6 @@ SectionRef FffReader::readRef(const JsonCursor &cursor)
     // An operation that is gone leaves its references dormant; ids are never given twice.
     const std::int64_t id = readGivenId(cursor.member("operation"));
     return {OperationId{id}, cursor.member("instance").text()};
-}
-
-std::optional<double> FffReader::readRated(const JsonCursor &cursor)
-{
-    if (cursor.isNull())
-        return std::nullopt;
-    return cursor.positive();
-}
-
-Stock FffReader::readStock(const JsonCursor &cursor)
-{
-    Stock stock;
-    stock.id = StockId{readId(cursor.member("id"))};
-    stock.name = cursor.member("name").text();
-    stock.thickness = cursor.member("thickness").positive();
-    stock.density = cursor.member("density").positive();
-    stock.tensileStrength = readRated(cursor.member("tensileStrength"));
-    stock.flexuralStrength = readRated(cursor.member("flexuralStrength"));
-    stock.modulus = readRated(cursor.member("modulus"));
-    stock.kerf = cursor.member("kerf").notNegative();
-    const JsonCursor clearance = cursor.member("clearance");
-    if (const JsonCursor ductile = cursor.member("ductile"); ductile.exists())
-        stock.isDuctile = ductile.truth();
-    if (const JsonCursor lasting = cursor.member("lastingShare"); lasting.exists()) {
-        stock.lastingShare = lasting.positive();
-        if (!(stock.lastingShare <= 1.0))
-            lasting.failExpected(QT_TRANSLATE_NOOP("Error", "a share above 0, 1 at most"));
-    }
-    stock.clearance = clearance.coordinate();
-    // A slit needs a width, also where it presses.
-    if (!m_problems.failed() && !(stock.clearance > -stock.thickness))
-        clearance.failExpected(QT_TRANSLATE_NOOP("Error", "more than minus the thickness"));
-    readSlitForm(cursor, stock);
-    const JsonCursor sheet = cursor.member("sheet");
-    stock.sheet = sheet.point2();
-    if (!(stock.sheet.minCoeff() > 0.0))
-        sheet.failExpected(QT_TRANSLATE_NOOP("Error", "a width and a height above 0"));
-    if (const JsonCursor price = cursor.member("price"); price.exists())
-        stock.price = price.positive();
-    return stock;
-}
-
-/// What is missing is as in a new stock.
-void FffReader::readSlitForm(const JsonCursor &cursor, Stock &stock)
-{
-    if (const JsonCursor end = cursor.member("slitEnd"); end.exists()) {
-        const std::string name = end.text();
-        if (name == "square")
-            stock.slitEnd = SlitEnd::Square;
-        else if (name == "round")
-            stock.slitEnd = SlitEnd::Round;
-        else if (name == "dogbone")
-            stock.slitEnd = SlitEnd::Dogbone;
-        else if (name == "tBone")
-            stock.slitEnd = SlitEnd::TBone;
-        else
-            end.failExpected(QT_TRANSLATE_NOOP("Error", "square, round, dogbone or tBone"));
-    }
-    if (const JsonCursor tool = cursor.member("toolDiameter"); tool.exists())
-        stock.toolDiameter = tool.positive();
-    if (const JsonCursor leadIn = cursor.member("leadIn"); leadIn.exists())
-        stock.leadIn = leadIn.notNegative();
-    if (const JsonCursor bumps = cursor.member("bumps"); bumps.exists())
-        stock.bumps = bumps.notNegative();
 }
 
 Contour FffReader::readContour(const JsonCursor &cursor)
@@ -371,8 +305,11 @@ Document FffReader::read(const JsonCursor &root)
     Document document;
     document.nextId = m_nextId = root.member("nextId").integer(1, kMaxId);
     const JsonCursor stocks = root.member("stocks");
+    const StockReaders stockReaders{
+        .readId = [this](const JsonCursor &item) { return readId(item); },
+        .readShape = [this](const JsonCursor &item) { return readShape(item); }};
     for (const JsonCursor &item : stocks.items()) {
-        document.stocks.push_back(std::make_shared<const Stock>(readStock(item)));
+        document.stocks.push_back(std::make_shared<const Stock>(readStock(item, stockReaders)));
         m_stockIds.insert(document.stocks.back()->id.value);
         if (m_problems.failed())
             return {};

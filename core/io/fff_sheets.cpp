@@ -51,7 +51,12 @@ PinnedPlace readPin(const JsonCursor &cursor, const ReferenceReaders &readers)
     pin.section = readers.readRef(cursor.member("section"));
     if (const JsonCursor body = cursor.member("body"); body.exists())
         pin.body = static_cast<int>(body.integer(0, kMostPinnedBodies - 1));
-    pin.sheet = static_cast<int>(cursor.member("sheet").integer(0, kMostPinnedSheets - 1));
+    const JsonCursor offcut = cursor.member("offcut");
+    const bool isOffcut = offcut.exists() && offcut.truth();
+    pin.sheet = static_cast<int>(
+        cursor.member("sheet").integer(0, (isOffcut ? kMostSpares : kMostPinnedSheets) - 1));
+    if (isOffcut)
+        pin.sheet = -1 - pin.sheet;
     pin.offset = cursor.member("at").point2();
     if (const JsonCursor turn = cursor.member("turn"); turn.exists()) {
         pin.turn = turn.point2();
@@ -87,7 +92,9 @@ void writePins(JsonWriter &json, const Document &document)
         writeRef(json, pin.section);
         if (pin.body != 0)
             json.member("body", pin.body);
-        json.member("sheet", pin.sheet);
+        json.member("sheet", pin.sheet < 0 ? -1 - pin.sheet : pin.sheet);
+        if (pin.sheet < 0)
+            json.member("offcut", true);
         json.member("at", pin.offset);
         if (pin.turn != Vec2::UnitX())
             json.member("turn", pin.turn);

@@ -4,6 +4,7 @@
 #include "core/io/fff_loads.h"
 #include "core/io/fff_operations.h"
 #include "core/io/fff_sheets.h"
+#include "core/io/fff_stocks.h"
 #include "core/io/fff_templates.h"
 #include "core/io/fff_values.h"
 #include "core/io/json_writer.h"
@@ -20,73 +21,6 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 constexpr int kPointsPerLine = 3; // one segment: its start and two handles
-
-void writeRated(JsonWriter &json, const char *name, const std::optional<double> &value)
-{
-    json.key(name);
-    if (value)
-        json.value(*value);
-    else
-        json.null();
-}
-
-const char *slitEndName(SlitEnd end)
-{
-    switch (end) {
-    case SlitEnd::Square:
-        break;
-    case SlitEnd::Round:
-        return "round";
-    case SlitEnd::Dogbone:
-        return "dogbone";
-    case SlitEnd::TBone:
-        return "tBone";
-    }
-    return "square";
-}
-
-/// Nothing for what is as in a new stock: brittle, and as strong for months.
-void writeEndurance(JsonWriter &json, const Stock &stock)
-{
-    if (stock.isDuctile)
-        json.member("ductile", true);
-    if (stock.lastingShare != 1.0)
-        json.member("lastingShare", stock.lastingShare);
-}
-
-/// Nothing for what is as in a new stock: plain slits.
-void writeSlitForm(JsonWriter &json, const Stock &stock)
-{
-    const Stock plain;
-    if (stock.slitEnd != plain.slitEnd)
-        json.member("slitEnd", slitEndName(stock.slitEnd));
-    if (stock.toolDiameter != plain.toolDiameter)
-        json.member("toolDiameter", stock.toolDiameter);
-    if (stock.leadIn != plain.leadIn)
-        json.member("leadIn", stock.leadIn);
-    if (stock.bumps != plain.bumps)
-        json.member("bumps", stock.bumps);
-}
-
-void writeStock(JsonWriter &json, const Stock &stock)
-{
-    json.beginObject();
-    json.member("id", stock.id.value);
-    json.member("name", stock.name);
-    json.member("thickness", stock.thickness);
-    json.member("density", stock.density);
-    writeRated(json, "tensileStrength", stock.tensileStrength);
-    writeRated(json, "flexuralStrength", stock.flexuralStrength);
-    writeRated(json, "modulus", stock.modulus);
-    writeEndurance(json, stock);
-    json.member("kerf", stock.kerf);
-    json.member("clearance", stock.clearance);
-    writeSlitForm(json, stock);
-    json.member("sheet", stock.sheet);
-    if (stock.price)
-        json.member("price", *stock.price);
-    json.endObject();
-}
 
 void writeContour(JsonWriter &json, const Contour &contour)
 {
@@ -209,7 +143,7 @@ Result<std::string> writeFff(const Document &document)
     json.key("stocks");
     json.beginArray();
     for (const auto &stock : document.stocks)
-        writeStock(json, *stock);
+        writeStock(json, *stock, writeShape);
     json.endArray();
     json.key("shapes");
     json.beginArray();

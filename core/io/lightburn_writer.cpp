@@ -98,13 +98,12 @@ void addShape(const ToolLine &line, int layer, const Vec2 &corner, DrawingText &
     out << "</PrimList>\n    </Shape>\n";
 }
 
-void addFrame(const Vec2 &corner, const Vec2 &size, int layer, DrawingText &out)
+void addFrame(std::span<const Vec2> corners, const Vec2 &at, int layer, DrawingText &out)
 {
-    const std::array<Vec2, 4> corners = cornersOf(corner, size);
     ToolLine frame{Purpose::Guide, 0, {}, true};
     for (std::size_t i = 0; i < corners.size(); ++i)
         frame.curves.push_back(CubicBezier::line(corners[i], corners[(i + 1) % corners.size()]));
-    addShape(frame, layer, Vec2::Zero(), out);
+    addShape(frame, layer, at, out);
 }
 
 void addNotes(const CuttingDrawing &drawing, DrawingText &out)
@@ -135,13 +134,14 @@ std::string writeLightBurn(const CuttingDrawing &drawing)
     const int guides = machine.of(Purpose::Guide).layer;
     for (std::size_t i = 0; i < drawing.sheets.size(); ++i) {
         const CuttingSheet &sheet = drawing.sheets[i];
-        if (machine.hasGuides && drawing.sheets.size() > 1)
-            addFrame(stack.corners[i], sheet.size, guides, out);
+        if (hasEdges(drawing, sheet))
+            for (const Polygon &ring : edgesOf(sheet))
+                addFrame(ring, stack.corners[i], guides, out);
         for (const ToolLine &line : inCuttingOrder(sheet))
             addShape(line, machine.of(line.purpose).layer, stack.corners[i], out);
     }
     if (hasBar(drawing))
-        addFrame(stack.reference, kReferenceSize, guides, out);
+        addFrame(cornersOf(stack.reference, kReferenceSize), Vec2::Zero(), guides, out);
     addNotes(drawing, out);
     out << "</LightBurnProject>\n";
     return out.take();

@@ -213,6 +213,22 @@ Machine readMachine(const JsonCursor &cursor, const JsonCursor &colours)
     return machine;
 }
 
+std::vector<std::shared_ptr<const Machine>> &knownMachines()
+{
+    static std::vector<std::shared_ptr<const Machine>> all = [] {
+        std::vector<std::shared_ptr<const Machine>> known;
+        QFile file(QStringLiteral(":/machines/machines.json"));
+        if (file.open(QIODevice::ReadOnly))
+            if (const auto read = readMachines(file.readAll().toStdString(), "machines.json"))
+                for (const Machine &machine : *read)
+                    known.push_back(std::make_shared<const Machine>(machine));
+        if (known.empty()) // not reached: a test reads the file
+            known.push_back(std::make_shared<const Machine>(usualMachine()));
+        return known;
+    }();
+    return all;
+}
+
 } // namespace
 
 Result<std::vector<Machine>> readMachines(std::string_view bytes, const std::string &name)
@@ -245,18 +261,21 @@ Result<std::vector<Machine>> readMachines(std::string_view bytes, const std::str
 
 std::span<const std::shared_ptr<const Machine>> machineLibrary()
 {
-    static const std::vector<std::shared_ptr<const Machine>> library = [] {
-        std::vector<std::shared_ptr<const Machine>> all;
-        QFile file(QStringLiteral(":/machines/machines.json"));
-        if (file.open(QIODevice::ReadOnly))
-            if (const auto read = readMachines(file.readAll().toStdString(), "machines.json"))
-                for (const Machine &machine : *read)
-                    all.push_back(std::make_shared<const Machine>(machine));
-        if (all.empty()) // not reached: a test reads the file
-            all.push_back(std::make_shared<const Machine>(usualMachine()));
-        return all;
-    }();
-    return library;
+    return knownMachines();
+}
+
+void addOwnMachines(std::vector<Machine> own)
+{
+    std::vector<std::shared_ptr<const Machine>> &all = knownMachines();
+    for (Machine &machine : own) {
+        auto one = std::make_shared<const Machine>(std::move(machine));
+        const auto known = std::find_if(all.begin(), all.end(),
+                                        [&](const auto &other) { return other->key == one->key; });
+        if (known != all.end())
+            *known = std::move(one);
+        else
+            all.push_back(std::move(one));
+    }
 }
 
 Result<std::shared_ptr<const Machine>> machineNamed(const QString &keyOrFile)

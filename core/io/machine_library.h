@@ -30,8 +30,10 @@ namespace fff::io {
 ///         the file
 Result<std::vector<Machine>> readMachines(std::string_view bytes, const std::string &name);
 
-/// Those that come with the program, the usual one first.
+/// Those that come with the program, the usual one first, then one's own.
 std::span<const std::shared_ptr<const Machine>> machineLibrary();
+/// For the rest of the time; one of a key that is there already comes in place of that.
+void addOwnMachines(std::vector<Machine> own);
 
 /// By its key, whatever the case, or the first one of a file whose name ends in .json.
 /// Errors  UnknownReference with the key; as readFile() and readMachines().

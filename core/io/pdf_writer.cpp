@@ -63,6 +63,12 @@ std::vector<PdfPage> sheetPages(const CuttingDrawing &drawing)
     std::vector<PdfPage> pages;
     for (const CuttingSheet &sheet : drawing.sheets) {
         PdfPage &page = pages.emplace_back(sheet.size);
+        if (sheet.outline && machine.hasGuides) {
+            page.pen(machine.of(Purpose::Guide).colour, machine.stroke);
+            for (const Polygon &ring : edgesOf(sheet))
+                for (std::size_t i = 0; i < ring.size(); ++i)
+                    page.edge(ring[i], ring[(i + 1) % ring.size()]);
+        }
         draw(inCuttingOrder(sheet), machine, machine.stroke, page);
     }
     if (hasBar(drawing)) {

@@ -39,11 +39,16 @@ void paint(const CuttingDrawing &drawing, const StackedSheets &stack, QPainter &
         painter.setPen(line);
     };
     for (std::size_t i = 0; i < drawing.sheets.size(); ++i) {
-        const Vec2 &corner = stack.corners[i], &size = drawing.sheets[i].size;
-        pen(kFrame);
-        painter.drawRect(QRectF(corner.x(), corner.y(), size.x(), size.y()));
+        const Vec2 &corner = stack.corners[i];
         painter.save();
         painter.translate(corner.x(), corner.y());
+        pen(kFrame);
+        for (const Polygon &ring : edgesOf(drawing.sheets[i])) {
+            QPolygonF edge;
+            for (const Vec2 &p : ring)
+                edge << QPointF(p.x(), p.y());
+            painter.drawPolygon(edge);
+        }
         for (const ToolLine &line : toolLines(drawing.sheets[i])) {
             pen(machine.of(line.purpose).colour);
             painter.drawPath(pathOf(line));

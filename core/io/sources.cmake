@@ -17,6 +17,7 @@ target_sources(fff_io PRIVATE
     fff_operations.cpp
     fff_reader.cpp
     fff_sheets.cpp
+    fff_stocks.cpp
     fff_templates.cpp
     fff_values.cpp
     fff_writer.cpp
@@ -36,6 +37,7 @@ target_sources(fff_io PRIVATE
     lightburn_writer.cpp
     loaded_document.cpp
     machine_library.cpp
+    material_library.cpp
     mesh_builder.cpp
     mesh_file.cpp
     mesh_formats.cpp
@@ -43,6 +45,8 @@ target_sources(fff_io PRIVATE
     nesting_instance.cpp
     obj_mesh_reader.cpp
     obj_writer.cpp
+    offcut_file.cpp
+    own_libraries.cpp
     parts_csv.cpp
     pdf_file.cpp
     pdf_tiles.cpp

@@ -27,6 +27,11 @@ StackedSheets stacked(const CuttingDrawing &drawing)
     return stack;
 }
 
+bool hasEdges(const CuttingDrawing &drawing, const CuttingSheet &sheet)
+{
+    return machineOf(drawing).hasGuides && (drawing.sheets.size() > 1 || sheet.outline);
+}
+
 std::array<Vec2, 4> cornersOf(const Vec2 &corner, const Vec2 &size)
 {
     return {corner, Vec2(corner.x() + size.x(), corner.y()), Vec2(corner + size),

@@ -23,6 +23,10 @@ struct StackedSheets
 bool hasBar(const CuttingDrawing &drawing);
 StackedSheets stacked(const CuttingDrawing &drawing);
 
+/// Whether the sheet's edges are drawn, as guides: of several, and of an offcut, which is to be
+/// laid down as it is.
+bool hasEdges(const CuttingDrawing &drawing, const CuttingSheet &sheet);
+
 /// Corners of a rectangle, counter-clockwise from its lower left one.
 std::array<Vec2, 4> cornersOf(const Vec2 &corner, const Vec2 &size);
 

@@ -117,6 +117,21 @@ void addRectangle(const Vec2 &corner, const Vec2 &size, const SvgColours &colour
         << "\" height=\"" << size.y() << "\" stroke=\"" << colours.of(Purpose::Guide) << "\"/>\n";
 }
 
+/// top  of the sheet in the drawing
+void addEdges(const CuttingSheet &sheet, double top, const SvgColours &colours, DrawingText &out)
+{
+    if (!sheet.outline)
+        return addRectangle({0.0, top}, sheet.size, colours, out);
+    out << "    <path stroke=\"" << colours.of(Purpose::Guide) << "\" d=\"";
+    for (const Polygon &ring : edgesOf(sheet)) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            out.addPoint<Decimals::Six>(i == 0 ? "M" : "L",
+                                        {ring[i].x(), top + sheet.size.y() - ring[i].y()});
+        out << "Z";
+    }
+    out << "\"/>\n";
+}
+
 bool isCut(LineRole role)
 {
     return role == LineRole::InnerCut || role == LineRole::OuterCut;
@@ -216,8 +231,8 @@ std::string writeSvg(const CuttingDrawing &drawing)
     for (const CuttingSheet &sheet : drawing.sheets) {
         out << "  <g id=\"sheet-" << std::to_string(sheet.number)
             << "\" fill=\"none\" stroke-width=\"" << machine.stroke << "\">\n";
-        if (machine.hasGuides && drawing.sheets.size() > 1)
-            addRectangle({0.0, top}, sheet.size, colours, out);
+        if (hasEdges(drawing, sheet))
+            addEdges(sheet, top, colours, out);
         const std::vector<std::vector<ToolLine>> followed = followedLines(sheet);
         for (std::size_t i = 0; i < sheet.parts.size(); ++i)
             addPart(sheet.parts[i], followed[i], Transform(top + sheet.size.y()), colours, out);

@@ -56,6 +56,26 @@ void noteNames(Document &document, std::span<const SectionId> ids)
     }
 }
 
+/// What is known of it besides what it is: the sheets that there are, what machines make of it.
+const char *invalidWarehouse(const Stock &s)
+{
+    if (s.nominalThickness && !(*s.nominalThickness > 0.0 && *s.nominalThickness <= kMaxCoordinate))
+        return "nominalThickness";
+    for (std::size_t i = 0; i < s.kerfs.size(); ++i)
+        if (!(s.kerfs[i].kerf >= 0.0 && s.kerfs[i].kerf <= kMaxCoordinate) ||
+            s.kerfs[i].machine.empty() || (i > 0 && s.kerfs[i - 1].machine >= s.kerfs[i].machine))
+            return "kerfs";
+    if (s.sheetCount && (*s.sheetCount < 1 || *s.sheetCount > kMostSheets))
+        return "sheetCount";
+    int count = 0;
+    for (const SpareSheet &spare : s.spares) {
+        if (!isUsable(spare))
+            return "spares";
+        count += spare.count;
+    }
+    return s.spares.size() > kMostSpareKinds || count > kMostSpares ? "spares" : nullptr;
+}
+
 /// The first field of a stock that no sheet can have, or null.
 const char *invalidField(const Stock &s)
 {
@@ -87,7 +107,7 @@ const char *invalidField(const Stock &s)
         return "bumps";
     if (!positive(s.sheet.x()) || !positive(s.sheet.y()))
         return "sheet";
-    return nullptr;
+    return invalidWarehouse(s);
 }
 
 } // namespace

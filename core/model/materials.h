@@ -1,4 +1,4 @@
-// Presets: the sheet materials that a stock can be made of. Every value can be edited afterwards.
+// Sheet materials that a stock can be made of, and sizes of sheets.
 #pragma once
 
 #include "core/model/stock.h"
@@ -8,14 +8,15 @@
 
 namespace fff {
 
+/// Every value can be edited afterwards. Those there are: core/io/material_library.h.
 struct Material
 {
-    Stock stock;                     // without an id; its name is the one to translate
-    std::vector<double> thicknesses; // mm, that are sold under this name
-};
+    /// One for each thickness in which it is sold, without ids, at least one; their name is the one
+    /// to translate.
+    std::vector<Stock> stocks;
 
-/// In the order in which they are offered; birchPlywood() and flatfabAcrylic() are not among them.
-std::span<const Material> materials();
+    const std::string &name() const { return stocks.front().name; }
+};
 
 /// Sheets and beds of machines that are common, mm: width, height.
 struct SheetSize

@@ -60,7 +60,7 @@ std::optional<Error> nonsenseOf(const PinnedPlace &place)
     const auto bad = [](const char *what, const std::string &found, const char *expected) {
         return Error{ErrorCode::BadValue, what, {found, expected}};
     };
-    if (place.sheet < 0 || place.sheet >= kMostPinnedSheets)
+    if (place.sheet < -kMostSpares || place.sheet >= kMostPinnedSheets)
         return bad("sheet", std::to_string(place.sheet), "the number of a sheet");
     if (place.body < 0 || place.body >= kMostPinnedBodies)
         return bad("body", std::to_string(place.body), "the number of a part");

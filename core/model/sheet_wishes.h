@@ -18,7 +18,7 @@ struct PinnedPlace
 {
     SectionRef section;
     int body = 0;
-    int sheet = 0;              // among those of its stock, from 0 on
+    int sheet = 0; // among the whole ones of its stock, from 0 on; -1 is the first of its offcuts
     Vec2 turn = Vec2::UnitX();  // cosine and sine, counter-clockwise
     Vec2 offset = Vec2::Zero(); // mm: on the sheet = turned(p, turn) + offset, p as in its contour
 

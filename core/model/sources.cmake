@@ -10,6 +10,7 @@ target_sources(fff_core PRIVATE
     model/instance_key.cpp
     model/letter_shapes.cpp
     model/load_edits.cpp
+    model/machine_kerfs.cpp
     model/magnet_edits.cpp
     model/lettering.cpp
     model/mark.cpp
@@ -29,6 +30,7 @@ target_sources(fff_core PRIVATE
     model/shape_change.cpp
     model/sheet_edits.cpp
     model/step.cpp
+    model/spare_sheet.cpp
     model/stock.cpp
     model/symmetric_section.cpp
     model/template.cpp

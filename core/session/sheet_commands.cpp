@@ -115,10 +115,13 @@ private:
         const PinnedPlace *known = pinOf(m_session.committed().document, section, *body);
         if (known)
             place = *known;
-        const Result<int> sheet = countedFrom1(parameters, "sheet", place.sheet);
-        if (!sheet)
-            return tl::unexpected(sheet.error());
-        place.sheet = *sheet;
+        if (parameters.contains("sheet") || parameters.contains("offcut")) {
+            const bool isOffcut = parameters.contains("offcut");
+            const Result<int> sheet = countedFrom1(parameters, isOffcut ? "offcut" : "sheet", 0);
+            if (!sheet)
+                return tl::unexpected(sheet.error());
+            place.sheet = isOffcut ? -1 - *sheet : *sheet;
+        }
         for (const auto &[key, number] :
              {std::pair("x", &place.offset.x()), std::pair("y", &place.offset.y())}) {
             const Result<double> value = numberOf(parameters, key, *number);

@@ -1,8 +1,8 @@
 // Commands of how parts lie on their sheets.
 //
-//   sheets.place      section, x and y (mm), turn (degrees, 0), sheet (1) among those of its stock,
-//                     body (1) of the section: the part stays there; what is not said of one that
-//                     is pinned already stays
+//   sheets.place      section, x and y (mm), turn (degrees, 0), sheet (1) among the whole ones of
+//                     its stock, or offcut (1) among those, body (1) of the section: the part stays
+//                     there; what is not said of one that is pinned already stays
 //   sheets.unpin      section, or those that are selected: laid with the others again
 //   sheets.unpinAll   the same of all
 //   sheets.turning    section, or those that are selected; turning: none, half, quarter, free, or

@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/io/document_file.h"
-#include "core/model/materials.h"
+#include "core/io/material_library.h"
 #include "tests/test_program.h"
 #include "ui/base/naming.h"
 #include "ui/bench/workbench.h"
@@ -153,10 +153,11 @@ private Q_SLOTS:
     void germanNamesLookLikeTheirMaterial()
     {
         const Language german("de");
-        for (const Material &material : materials()) {
-            Stock named = material.stock;
-            named.name = stockName(material.stock).toStdString();
-            QVERIFY2(stockLook(named).face == stockLook(material.stock).face, named.name.c_str());
+        for (const Material &material : io::materialLibrary()) {
+            Stock named = material.stocks.front();
+            named.name = stockName(named).toStdString();
+            QVERIFY2(stockLook(named).face == stockLook(material.stocks.front()).face,
+                     named.name.c_str());
         }
     }
 

@@ -1,11 +1,12 @@
 #include "ui/dialogs/stock_list.h"
 
+#include "core/io/material_library.h"
 #include "core/io/stock_file.h"
 #include "core/model/edits.h"
-#include "core/model/materials.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/stock_choice.h"
@@ -172,15 +173,25 @@ void StockList::fillAddMenu()
 {
     m_presets->clear();
     m_presets->setPalette(theme().palette());
-    const auto offer = [this](const Stock &stock) {
-        QAction *action = m_presets->addAction(colourChip(stockLook(stock).face), stockName(stock));
+    const auto offer = [this](QMenu &menu, const Stock &stock, const QString &text) {
+        QAction *action = menu.addAction(colourChip(stockLook(stock).face), text);
         action->setIconVisibleInMenu(true);
         connect(action, &QAction::triggered, this, [this, stock] { add(stock, false); });
     };
-    offer(birchPlywood());
-    for (const Material &material : materials())
-        offer(material.stock);
-    offer(flatfabAcrylic());
+    offer(*m_presets, birchPlywood(), stockName(birchPlywood()));
+    for (const Material &material : io::materialLibrary()) {
+        const Stock &usual = material.stocks.front();
+        if (material.stocks.size() == 1) {
+            offer(*m_presets, usual, stockName(usual));
+            continue;
+        }
+        QMenu *menu = m_presets->addMenu(colourChip(stockLook(usual).face), stockName(usual));
+        menu->menuAction()->setIconVisibleInMenu(true);
+        for (const Stock &stock : material.stocks)
+            offer(*menu, stock,
+                  lengthText(stock.nominalThickness.value_or(stock.thickness), 1, 3, locale()));
+    }
+    offer(*m_presets, flatfabAcrylic(), stockName(flatfabAcrylic()));
     m_presets->addSeparator();
     connect(m_presets->addAction(tr("From a file…")), &QAction::triggered, this,
             &StockList::addFromFile);

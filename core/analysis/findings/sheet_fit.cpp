@@ -11,6 +11,8 @@ namespace {
 Message fitsSentence(const Finding &finding, const Model &)
 {
     const SheetUse &use = *finding.details<SheetUse>();
+    if (use.sheets == 0)
+        return {FFF_TEXT("Checks", "Fits the sheets and offcuts that there are."), {}};
     const Message sheets = use.sheets == 1
                                ? Message{FFF_TEXT("Checks", "1 sheet"), {}}
                                : Message{FFF_TEXT_OF_MANY("Checks", "%n sheets"), {}, use.sheets};
@@ -33,6 +35,23 @@ Message tooLargeSentence(const Finding &finding, const Model &model)
     return {FFF_TEXT("Checks", "%1 measures %2 and fits no sheet of %3 with a margin of %4, "
                                "however it is turned."),
             {name, WidthAndHeight{part.size.x(), part.size.y()}, sheet, lengthOf(part.margin)}};
+}
+
+bool hasSpares(const Document &document)
+{
+    return std::any_of(document.stocks.begin(), document.stocks.end(),
+                       [](const auto &stock) { return !stock->spares.empty(); });
+}
+
+/// Beside whole sheets there is a rectangular one that it fits.
+bool fitsSpare(const Model &model, const Bodies &bodies, int part, const LayoutOptions &options)
+{
+    const Stock &stock = model.stockOf(static_cast<std::size_t>(bodies.sectionOf(part)));
+    return std::any_of(stock.spares.begin(), stock.spares.end(), [&](const SpareSheet &spare) {
+        return rectangleOf(spare) && !sizeOf(bodies.at(part).outline(),
+                                             roomOf(spare.size(), options), options.turnsFreely)
+                                          .isTooLarge;
+    });
 }
 
 constexpr Text kChooseText = FFF_TEXT("Checks", "Choose a sheet");
@@ -61,9 +80,10 @@ void findSheetFit(const Looked &at, std::vector<Finding> &found)
         for (const auto &size : at.caches.sections[i].sizes)
             parts.push_back({model.section(i)->stock, size});
     const Layout layout = layOutBySize(parts, model, options, at.caches.layout);
-    std::vector<int> oversized = layout.oversized;
-    std::sort(oversized.begin(), oversized.end());
     const Bodies &bodies = at.analysis.bodies;
+    std::vector<int> oversized = layout.oversized;
+    std::erase_if(oversized, [&](int part) { return fitsSpare(model, bodies, part, options); });
+    std::sort(oversized.begin(), oversized.end());
     for (std::size_t i = 0; i < oversized.size();) {
         const Body &body = bodies.at(oversized[i]);
         const int section = bodies.sectionOf(oversized[i]);
@@ -84,6 +104,10 @@ void findSheetFit(const Looked &at, std::vector<Finding> &found)
     }
     if (!oversized.empty())
         return;
+    if (hasSpares(model.document)) {
+        found.push_back(makeFinding(kFitsSheet, Severity::Good, SheetUse()));
+        return;
+    }
     SheetUse use{static_cast<int>(layout.sheets.size()), Vec2::Zero(), usedShare(layout, parts)};
     if (!layout.sheets.empty() &&
         std::all_of(layout.sheets.begin(), layout.sheets.end(),

@@ -8,7 +8,7 @@ namespace fff {
 /// Of kFitsSheet.
 struct SheetUse
 {
-    int sheets = 0;
+    int sheets = 0;            // 0: not counted, where there are offcuts as well
     Vec2 sheet = Vec2::Zero(); // size, mm; zero where they are of several sizes
     double share = 0.0;        // of the sheets' area that parts cover, 0 … 1
 };

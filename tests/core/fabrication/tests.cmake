@@ -8,6 +8,7 @@ fff_tests(tests_fabrication LIBRARIES fff::session Polyclipping::Polyclipping TE
     core/fabrication/tst_layout
     core/fabrication/tst_marks
     core/fabrication/tst_nested_layout
+    core/fabrication/tst_offcuts
     core/fabrication/tst_part_list
     core/fabrication/tst_parts
     core/fabrication/tst_swept_files)

@@ -5,7 +5,7 @@
 #include "core/fabrication/cutting_order.h"
 #include "core/fabrication/fit_coupon.h"
 #include "core/fabrication/machine.h"
-#include "core/model/materials.h"
+#include "core/model/stock.h"
 #include "tests/test_program.h"
 
 #include <algorithm>
@@ -55,6 +55,20 @@ Stock stockOf(double thickness, double kerf)
     stock.thickness = thickness;
     stock.kerf = kerf;
     return stock;
+}
+
+/// From card to thick board, on sheets from A4 on, pressed and loose.
+std::vector<Stock> kinds()
+{
+    std::vector<Stock> all;
+    for (const double thickness : {0.3, 1.5, 3.0, 3.8, 6.4, 10.0})
+        for (const Vec2 &sheet : {Vec2(297.0, 210.0), Vec2(300.0, 200.0), Vec2(600.0, 400.0)})
+            for (const double kerf : {0.0, 0.15, 0.25}) {
+                Stock stock = stockOf(thickness, kerf);
+                stock.sheet = sheet;
+                all.push_back(stock);
+            }
+    return all;
 }
 
 CuttingDrawing couponOf(const Stock &stock)
@@ -124,8 +138,8 @@ void TestFitCoupon::slatsMeasureTheKerf()
 
 void TestFitCoupon::partsAreApartAndOnTheSheet()
 {
-    for (const Material &material : materials()) {
-        const CuttingDrawing drawing = couponOf(material.stock);
+    for (const Stock &stock : kinds()) {
+        const CuttingDrawing drawing = couponOf(stock);
         const CuttingSheet &sheet = drawing.sheets.at(0);
         for (std::size_t i = 0; i < sheet.parts.size(); ++i) {
             const Box2 box = boxOf(sheet.parts[i]);
@@ -137,7 +151,7 @@ void TestFitCoupon::partsAreApartAndOnTheSheet()
                 QVERIFY(!box.intersects(near));
             }
         }
-        QVERIFY(sheet.size.maxCoeff() <= material.stock.sheet.maxCoeff() + kSame);
+        QVERIFY(sheet.size.maxCoeff() <= stock.sheet.maxCoeff() + kSame);
     }
 }
 

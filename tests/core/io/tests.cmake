@@ -14,6 +14,8 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_formats
     core/io/tst_json_writer
     core/io/tst_machine_library
+    core/io/tst_material_library
+    core/io/tst_offcut_file
     core/io/tst_mesh_readers
     core/io/tst_obj_writer
     core/io/tst_stock_file

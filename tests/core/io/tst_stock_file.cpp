@@ -2,9 +2,9 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
+#include "core/io/material_library.h"
 #include "core/io/stock_file.h"
 #include "core/model/edits.h"
-#include "core/model/materials.h"
 #include "tests/test_program.h"
 
 #include <QFile>
@@ -27,16 +27,47 @@ private:
     QTemporaryDir m_folder;
 };
 
+namespace {
+
+/// An offcut with a curved bay, and a hole.
+SpareSheet bay()
+{
+    const auto ring = [](std::vector<Vec2> points) {
+        return *Contour::fromPoints(std::move(points));
+    };
+    const Contour hole = *Contour::fromPolygon({{20, 20}, {20, 40}, {40, 40}, {40, 20}});
+    return *spareSheet({ring({{0, 0},
+                              {30, 0},
+                              {60, 0}, // the lower edge
+                              {90, 0},
+                              {70, 40},
+                              {90, 80}, // the bay
+                              {90, 80},
+                              {45, 80},
+                              {0, 80}, // and back
+                              {0, 80},
+                              {0, 40},
+                              {0, 10}}),
+                        {hole},
+                        false});
+}
+
+} // namespace
+
 void TestStockFile::comesBackAsItWas()
 {
     std::vector<Stock> stocks{birchPlywood(), flatfabAcrylic()};
-    for (const Material &material : materials())
-        stocks.push_back(material.stock);
+    for (const Material &material : io::materialLibrary())
+        stocks.insert(stocks.end(), material.stocks.begin(), material.stocks.end());
     for (Stock stock : stocks) {
         stock.thickness *= 0.97; // as measured
         stock.clearance = -0.05;
         stock.kerf = 0.17;
         stock.slitEnd = SlitEnd::Dogbone;
+        stock.isMeasured = true;
+        stock.kerfs = {{"k40", 0.17}, {"trotec", 0.125}};
+        stock.sheetCount = 3;
+        stock.spares = {*rectangularSheet({300.0, 200.0}, 2), bay()};
         const QString path = m_folder.filePath(u"one.fff"_s);
         QVERIFY(io::writeStock(path, stock));
         const auto read = io::readStock(path);

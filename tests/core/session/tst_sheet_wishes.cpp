@@ -131,7 +131,8 @@ void TestSheetWishes::nonsenseIsRefused_data()
     QTest::addColumn<QString>("place");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Vec2 x(1, 0), at(20, 20);
-    QTest::newRow("before the first sheet") << -1 << 0 << x << at << QStringLiteral("sheet");
+    QTest::newRow("before the first offcut")
+        << -kMostSpares - 1 << 0 << x << at << QStringLiteral("sheet");
     QTest::newRow("a sheet beyond all") << 10000 << 0 << x << at << QStringLiteral("sheet");
     QTest::newRow("no body") << 0 << -1 << x << at << QStringLiteral("body");
     QTest::newRow("larger") << 0 << 0 << Vec2(2, 0) << at << QStringLiteral("turn");
