@@ -1482,6 +1482,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>Eine Ebene mehr je Richtung</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Passt auf die Platten und Reststücke, die da sind.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3609,6 +3613,10 @@
         <source>A cutting file and a verdict for each line of a table of values</source>
         <translation>Eine Schneiddatei und ein Urteil für jede Zeile einer Tabelle von Werten</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>es gibt keine Anzeige mit OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4963,6 +4971,30 @@
     <message>
         <source>a drawing</source>
         <translation>eine Zeichnung</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>jede Maschine einmal, in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>Reststücke</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>einen Umriss ab 0, 0, der sich nicht selbst kreuzt</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>Dicken</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>was eine Platte haben kann</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>Materialien</translation>
     </message>
 </context>
 <context>
@@ -8354,10 +8386,6 @@
         <translation>Ganze Breite, die die Maschine wegnimmt.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Größe einer Platte, etwa 600x400.</translation>
-    </message>
-    <message>
         <source>--sheet: found &quot;%1&quot;, expected width x height in mm, such as 600x400.</source>
         <translation>--sheet: gefunden: „%1“, erwartet: Breite x Höhe in mm, etwa 600x400.</translation>
     </message>
@@ -9227,6 +9255,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Eine PDF-Datei mit allen Schritten (- ist die Standardausgabe), OUT.html für eine Webseite, auf der sich das Modell drehen lässt, auch am Telefon, oder OUT.png für OUT-01.png, OUT-02.png und so weiter.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: so viele Reststücke des Materials %1 sind zu viele.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Platten aus %1, die fehlen: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>Die Schritte sind nicht bei den Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Platten aus %1 haben innerhalb der Ränder von %2 mm keinen Platz.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: „%1“ gefunden, erwartet wird Breite x Höhe in mm, etwa 300x200, oder eine .svg-Datei, und dahinter, wie viele es sind, etwa :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Größe einer Platte, etwa 600x400; mit :N dahinter, wie viele es gibt.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Eine Platte anderer Größe, oder was von einer übrig ist, als größter Umriss einer .svg-Datei in wahrer Größe; wird vor ganzen aufgebraucht; mit :N dahinter so viele davon; kann wiederholt werden.</translation>
     </message>
 </context>
 <context>
@@ -10249,6 +10308,33 @@
         <source>Measure the sheet that you will cut with calipers: slits are drawn to fit it.</source>
         <translation>Die Platte, die geschnitten wird, mit dem Messschieber messen: Die Schlitze werden dafür gezeichnet.</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>Welche Maschine?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen, und was sie von jedem Material wegnimmt</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, gemessen %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>Das habe ich gemessen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>%n Reststück wird zuerst verbraucht.</numerusform>
+            <numerusform>%n Reststücke werden zuerst verbraucht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Irgendein Laser</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10268,6 +10354,11 @@
     <message>
         <source>Nothing to look out for.</source>
         <translation>Nichts zu beachten.</translation>
+    </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Eine Platte aus %1 hat innerhalb der Ränder von %2 keinen Platz.</translation>
     </message>
 </context>
 <context>
@@ -10329,14 +10420,6 @@
         <translation>Neben die Platten gezeichnet, nicht geschnitten: An der Maschine nachmessen, um der Größe sicher zu sein</translation>
     </message>
     <message>
-        <source>Machine</source>
-        <translation>Maschine</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Irgendein Laser</translation>
-    </message>
-    <message>
         <source>Half turns</source>
         <translation>Halbe Drehungen</translation>
     </message>
@@ -10345,12 +10428,12 @@
         <translation>Wie gezeichnet</translation>
     </message>
     <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Farben, Ebenen, Geschwindigkeiten und G-Code, wie diese Maschine und ihr Programm sie nehmen</translation>
-    </message>
-    <message>
         <source>Cuts</source>
         <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Wird für dieses Material und die gewählte Maschine behalten</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10529,14 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>Nicht exportiert: Die vorhandenen Dateien bleiben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>Es braucht %n Platte aus %1 mehr, als da ist.</numerusform>
+            <numerusform>Es braucht %n Platten aus %1 mehr, als da sind.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12075,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>Höchstens %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Reststück</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Eine Platte anderer Größe, die vor ganzen aufgebraucht wird</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>Aus einer Zeichnung …</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>Was von einer Platte übrig ist, als größter Umriss einer SVG-Datei in wahrer Größe, mit seinen Löchern</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Breite des Reststücks</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Höhe des Reststücks</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Wie viele von diesem Reststück</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Dieses Reststück wegnehmen</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, aus einer Zeichnung</translation>
     </message>
 </context>
 <context>
@@ -14464,6 +14595,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine cuts</extracomment>
         <translation>%1 auf %2 · %3 % genutzt · %4 Schnitt</translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Reststück hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n Platte mehr, als da ist</numerusform>
+            <numerusform>%n Platten mehr, als da sind</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14511,6 +14653,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>It lies as it is drawn.</source>
         <translation>Es liegt wie gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Reststück, Platte %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -15406,6 +15552,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Price of a sheet</source>
         <translation>Plattenpreis</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Verkauft als</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>Die Dicke, als die man die Platte kauft; meist ist sie nicht ganz so dick</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>mit dem Messschieber, von mir</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>Export fragt einmal, wie dick die Platten sind, die Sie schneiden werden</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>so viele wie nötig</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 heißt so viele wie nötig</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Wie viele da sind</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Zuerst verbraucht</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Ein Reststück aus einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Zeichnungen (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Je Maschine</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Behalten, wo eine Schnittfuge eingegeben wurde, während diese Maschine im Export gewählt war</translation>
     </message>
 </context>
 <context>

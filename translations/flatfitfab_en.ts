@@ -751,6 +751,16 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ExportQuestions</name>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>%n offcut is used up first.</numerusform>
+            <numerusform>%n offcuts are used up first.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Exporting</name>
     <message numerus="yes">
         <source>%n part(s)</source>
@@ -778,6 +788,14 @@
         <translation>
             <numerusform>Exported the skin to %1; %n place stays open.</numerusform>
             <numerusform>Exported the skin to %1; %n places stay open.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>It takes %n more sheet of %1 than there are.</numerusform>
+            <numerusform>It takes %n more sheets of %1 than there are.</numerusform>
         </translation>
     </message>
 </context>
@@ -880,6 +898,13 @@
         <translation>
             <numerusform>about %n min</numerusform>
             <numerusform>about %n min</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n sheet more than there are</numerusform>
+            <numerusform>%n sheets more than there are</numerusform>
         </translation>
     </message>
 </context>

@@ -1482,6 +1482,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>Un plano más en cada dirección</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Cabe en las planchas y los retales que hay.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3609,6 +3613,10 @@
         <source>all for a workshop</source>
         <translation>todo para un taller</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>no hay pantalla con OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4963,6 +4971,30 @@
     <message>
         <source>a drawing</source>
         <translation>un dibujo</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>cada máquina una vez, en su orden</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>retales</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>un contorno desde 0, 0 que no se cruce</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>grosores</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>lo que puede tener una plancha</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materiales</translation>
     </message>
 </context>
 <context>
@@ -8402,10 +8434,6 @@
         <translation>Holgura que se añade a las ranuras; menos de 0 para encajar a presión.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Tamaño de una plancha, como 600x400.</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>Dice, de cada cosa del archivo que se corrigió, dónde está.</translation>
     </message>
@@ -9227,6 +9255,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Un archivo PDF con todos los pasos (- es la salida estándar), OUT.html para una página web en la que se puede girar el modelo, también en un teléfono, o bien OUT.png para OUT-01.png, OUT-02.png, etc.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: tantos retales del material %1 son demasiados.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Planchas de %1 que faltan: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>Los pasos no están entre los archivos: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Las planchas de %1 no tienen sitio entre márgenes de %2 mm.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: se encontró «%1», se esperaba ancho x alto en mm, como 300x200, o un archivo .svg, y detrás cuántos hay, como :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Tamaño de una plancha, como 600x400; con :N detrás, cuántas hay.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Una plancha de otro tamaño, o lo que queda de una como el contorno más grande de un archivo .svg a tamaño real, que se gasta antes que las enteras; con :N detrás, tantas; se puede repetir.</translation>
     </message>
 </context>
 <context>
@@ -10249,6 +10308,33 @@
         <source>Own size</source>
         <translation>Tamaño propio</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>¿Qué máquina?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Colores, capas, velocidades y G-code como los toman esta máquina y su programa, y lo que quita de cada material</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, medido %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>Es lo que he medido</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>Primero se gasta %n retal.</numerusform>
+            <numerusform>Primero se gastan %n retales.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Cualquier láser</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10269,6 +10355,11 @@
         <source>Nothing to look out for.</source>
         <translation>Nada que tener en cuenta.</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Una plancha de %1 no tiene sitio entre márgenes de %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10287,18 +10378,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>Ancho dibujado</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Máquina</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Cualquier láser</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Colores, capas, velocidades y G-code tal como los aceptan esta máquina y su programa</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10351,6 +10430,10 @@
     <message>
         <source>As drawn</source>
         <translation>Como está dibujada</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Se guarda para este material y la máquina elegida</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10529,14 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>No se ha exportado: los archivos que hay se quedan.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>Hace falta %n plancha de %1 más de las que hay.</numerusform>
+            <numerusform>Hacen falta %n planchas de %1 más de las que hay.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12075,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>Como máximo %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Retal</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Una plancha de otro tamaño, que se gasta antes que las enteras</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>De un dibujo…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>Lo que queda de una plancha, como el contorno más grande de un archivo SVG a tamaño real, con sus agujeros</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Ancho del retal</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Alto del retal</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Cuántos de este retal</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Quitar este retal</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, de un dibujo</translation>
     </message>
 </context>
 <context>
@@ -14464,6 +14595,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>aprox. %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Añadir un retal</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n plancha más de las que hay</numerusform>
+            <numerusform>%n planchas más de las que hay</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14511,6 +14653,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n pieza · %1 % ocupado</numerusform>
             <numerusform> · %n piezas · %1 % ocupado</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Retal, plancha %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -15406,6 +15552,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>Grosor, holgura y ancho de corte de dos secciones de este material en ángulo recto</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Se vende como</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>El grosor con el que se compra la plancha; por lo general no es exactamente ese</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>con calibre, por mí</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>Al exportar se pregunta una vez qué grosor tienen las planchas que va a cortar</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Planchas</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>tantas como hagan falta</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 significa tantas como hagan falta</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Cuántas hay</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Se gastan antes</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Un retal de un dibujo</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Dibujos (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Por máquina</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Se guarda donde se escribió un ancho de corte mientras esa máquina estaba elegida al exportar</translation>
     </message>
 </context>
 <context>

@@ -1482,6 +1482,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>Un plan de plus par direction</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Tient sur les plaques et les chutes disponibles.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3609,6 +3613,10 @@
         <source>all for a workshop</source>
         <translation>tout pour un atelier</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>il n’y a pas d’affichage avec OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4963,6 +4971,30 @@
     <message>
         <source>a drawing</source>
         <translation>un dessin</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>chaque machine une fois, dans leur ordre</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>chutes</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>un contour à partir de 0, 0 qui ne se croise pas</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>épaisseurs</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>ce qu’une plaque peut avoir</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>matériaux</translation>
     </message>
 </context>
 <context>
@@ -8402,10 +8434,6 @@
         <translation>Jeu ajouté aux fentes&#x202f;; moins de 0 pour un ajustement serré.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Format d’une plaque, par exemple 600x400.</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>Indique l’endroit de chaque correction faite dans le fichier.</translation>
     </message>
@@ -9227,6 +9255,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Un fichier PDF avec toutes les étapes (- est la sortie standard), OUT.html pour une page web où l’on peut tourner le modèle, aussi sur un téléphone, ou OUT.png pour OUT-01.png, OUT-02.png, etc.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut : autant de chutes du matériau %1, c’est trop.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Plaques de %1 qui manquent : %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>Les étapes ne sont pas parmi les fichiers : %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Les plaques de %1 n’ont pas de place entre des marges de %2 mm.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut : « %1 » trouvé, largeur x hauteur en mm attendue, par exemple 300x200, ou un fichier .svg, suivie du nombre, par exemple :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Taille d’une plaque, par exemple 600x400 ; suivie de :N, combien il y en a.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Une plaque d’une autre taille, ou ce qui reste d’une plaque : le plus grand contour d’un fichier .svg en vraie grandeur ; utilisée avant les plaques entières ; suivie de :N, autant de fois ; peut être répété.</translation>
     </message>
 </context>
 <context>
@@ -10249,6 +10308,33 @@
         <source>Own size</source>
         <translation>Format libre</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>Quelle machine ?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Couleurs, calques, vitesses et G-code tels que cette machine et son programme les prennent, et ce qu’elle enlève de chaque matériau</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, mesuré %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>C’est ce que j’ai mesuré</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>%n chute est utilisée d’abord.</numerusform>
+            <numerusform>%n chutes sont utilisées d’abord.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Laser quelconque</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10269,6 +10355,11 @@
         <source>Nothing to look out for.</source>
         <translation>Rien à surveiller.</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Une plaque de %1 n’a pas de place entre des marges de %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10287,18 +10378,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>Fente tracée</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Laser quelconque</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Couleurs, calques, vitesses et G-code tels que les prennent cette machine et son programme</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10351,6 +10430,10 @@
     <message>
         <source>As drawn</source>
         <translation>Comme dessiné</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Gardé pour ce matériau et la machine choisie</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10529,14 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>Rien n’a été exporté : les fichiers présents restent.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>Il faut %n plaque de %1 de plus qu’il n’y en a.</numerusform>
+            <numerusform>Il faut %n plaques de %1 de plus qu’il n’y en a.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12075,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>Au plus %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Chute</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Une plaque d’une autre taille, utilisée avant les plaques entières</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>D’un dessin…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>Ce qui reste d’une plaque : le plus grand contour d’un fichier SVG en vraie grandeur, avec ses trous</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Largeur de la chute</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Hauteur de la chute</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Nombre de chutes pareilles</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Enlever cette chute</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, d’un dessin</translation>
     </message>
 </context>
 <context>
@@ -14464,6 +14595,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>environ %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Ajouter une chute</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n plaque de plus qu’il n’y en a</numerusform>
+            <numerusform>%n plaques de plus qu’il n’y en a</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14511,6 +14653,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n pièce · utilisation %1&#xa0;%</numerusform>
             <numerusform> · %n pièces · utilisation %1&#xa0;%</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Chute, plaque %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -15406,6 +15552,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>Épaisseur, jeu et trait de coupe de deux sections de ce matériau d’équerre l’une sur l’autre</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Vendu comme</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>L’épaisseur sous laquelle on achète la plaque ; en général, elle n’est pas tout à fait celle-là</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>au pied à coulisse, par moi</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>L’export demande une fois l’épaisseur des plaques que vous allez couper</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Plaques</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>autant qu’il en faut</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 signifie autant qu’il en faut</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Combien il y en a</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Utilisées d’abord</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Une chute d’après un dessin</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Dessins (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Par machine</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Gardé là où un trait de coupe a été saisi pendant que cette machine était choisie à l’export</translation>
     </message>
 </context>
 <context>

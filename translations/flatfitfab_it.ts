@@ -1482,6 +1482,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>Un piano in più per direzione</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Entra nelle lastre e nei ritagli che ci sono.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3609,6 +3613,10 @@
         <source>all for a workshop</source>
         <translation>tutto per un laboratorio</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>non c’è uno schermo con OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4963,6 +4971,30 @@
     <message>
         <source>a drawing</source>
         <translation>un disegno</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>ogni macchina una volta, nel loro ordine</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>ritagli</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>una sagoma da 0, 0 che non si incroci</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>spessori</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>ciò che una lastra può avere</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materiali</translation>
     </message>
 </context>
 <context>
@@ -8402,10 +8434,6 @@
         <translation>Gioco aggiunto alle fessure; meno di 0 per un incastro a pressione.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Formato di una lastra, per esempio 600x400.</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>Per ogni cosa corretta nel file dice dove.</translation>
     </message>
@@ -9227,6 +9255,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Un file PDF con tutti i passi (- è lo standard output), OUT.html per una pagina web in cui si può girare il modello, anche su un telefono, o OUT.png per OUT-01.png, OUT-02.png e così via.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: così tanti ritagli del materiale %1 sono troppi.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Lastre di %1 che mancano: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>I passi non sono tra i file: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Le lastre di %1 non hanno spazio entro margini di %2 mm.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: trovato &quot;%1&quot;, attesa larghezza x altezza in mm, come 300x200, o un file .svg, seguita da quanti sono, come :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Misura di una lastra, come 600x400; seguita da :N, quante ce ne sono.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Una lastra di altra misura, o ciò che resta di una come la sagoma più grande di un file .svg in grandezza reale, usata prima di quelle intere; seguita da :N, così tante; si può ripetere.</translation>
     </message>
 </context>
 <context>
@@ -10249,6 +10308,33 @@
         <source>Own size</source>
         <translation>Altro formato</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>Quale macchina?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Colori, livelli, velocità e G-code come li vogliono questa macchina e il suo programma, e quanto toglie da ogni materiale</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, misurato %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>È quello che ho misurato</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>Prima si usa %n ritaglio.</numerusform>
+            <numerusform>Prima si usano %n ritagli.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Un laser qualsiasi</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10269,6 +10355,11 @@
         <source>Nothing to look out for.</source>
         <translation>Nulla a cui badare.</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Una lastra di %1 non ha spazio entro margini di %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10287,18 +10378,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>Fessura disegnata</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Macchina</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Un laser qualsiasi</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Colori, livelli, velocità e G-code come li vogliono questa macchina e il suo programma</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10351,6 +10430,10 @@
     <message>
         <source>As drawn</source>
         <translation>Come disegnato</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Conservato per questo materiale e la macchina scelta</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10529,14 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>Non esportato: i file che ci sono restano.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>Serve %n lastra di %1 in più di quante ce ne sono.</numerusform>
+            <numerusform>Servono %n lastre di %1 in più di quante ce ne sono.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12075,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>Al massimo %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Ritaglio</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Una lastra di altra misura, usata prima di quelle intere</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>Da un disegno…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>Ciò che resta di una lastra, come la sagoma più grande di un file SVG in grandezza reale, con i suoi fori</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Larghezza del ritaglio</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Altezza del ritaglio</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Quanti di questo ritaglio</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Togli questo ritaglio</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, da un disegno</translation>
     </message>
 </context>
 <context>
@@ -14464,6 +14595,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>circa %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Aggiungi un ritaglio</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n lastra in più di quante ce ne sono</numerusform>
+            <numerusform>%n lastre in più di quante ce ne sono</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14511,6 +14653,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n pezzo · %1 % utilizzato</numerusform>
             <numerusform> · %n pezzi · %1 % utilizzato</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Ritaglio, lastra %1 di %2</translation>
     </message>
 </context>
 <context>
@@ -15406,6 +15552,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>Spessore, gioco e solco di taglio di due sezioni di questo materiale perpendicolari tra loro</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Venduto come</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>Lo spessore con cui si compra la lastra; di solito non è proprio quello</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>con il calibro, da me</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Misurato</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>L’esportazione chiede una volta quanto sono spesse le lastre che taglierete</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Lastre</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>quante ne servono</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 significa quante ne servono</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Quante ce ne sono</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Usati prima</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Un ritaglio da un disegno</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Disegni (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Per macchina</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Conservato dove un solco di taglio è stato scritto mentre quella macchina era scelta nell’esportazione</translation>
     </message>
 </context>
 <context>

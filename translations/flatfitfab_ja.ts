@@ -1455,6 +1455,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>各方向に平面を 1 つ増やす</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>手元のシートと端材に収まります。</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3581,6 +3585,10 @@
         <source>all for a workshop</source>
         <translation>工房用一式</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>OpenGL 3.3 を使えるディスプレイがありません。</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4925,6 +4933,30 @@
     <message>
         <source>a drawing</source>
         <translation>図面</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>各加工機を 1 回ずつ、順番どおりに</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>端材</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>0, 0 から始まる、自分と交差しない輪郭線</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>シートが取りうる値</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>材料</translation>
     </message>
 </context>
 <context>
@@ -8306,10 +8338,6 @@
         <translation>スリットに加えるクリアランス。0 未満ならきついはめ合いになります。</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>シートの大きさ（例: 600x400）。</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>ファイル内で修正したものそれぞれについて、その場所を示します。</translation>
     </message>
@@ -9131,6 +9159,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>全手順の PDF ファイル（- は標準出力）、OUT.html でモデルを回して見られるウェブページ（スマートフォンでも可）、または OUT.png で OUT-01.png、OUT-02.png など。</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: 材料 %1 の端材が多すぎます。</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>%1 の足りないシート: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>手順はファイルに含まれていません: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>%1 のシートは余白 %2 mm の内側に場所がありません。</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: 「%1」が見つかりました。300x200 のような幅 x 高さ (mm)、または .svg ファイルと、その後ろに :2 のような枚数が必要です。</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>シートのサイズ (例: 600x400)。後ろに :N を付けると枚数。</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>別のサイズのシート、または残りを実寸の .svg ファイルの最大の輪郭線で指定します。新しいシートより先に使われます。後ろに :N を付けると枚数。繰り返し指定できます。</translation>
     </message>
 </context>
 <context>
@@ -10149,6 +10208,32 @@
         <source>Own size</source>
         <translation>自由なサイズ</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>どの加工機ですか?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>この加工機とそのプログラムが使う色、レイヤー、速度、G コードと、各材料から削られる幅</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1、実測 %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>実測した値です</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>先に端材 %n 枚を使います。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>一般のレーザー</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10169,6 +10254,11 @@
         <source>Nothing to look out for.</source>
         <translation>注意することはありません。</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>%1 のシートは余白 %2 の内側に場所がありません。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10187,18 +10277,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>スリットの描画幅</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>加工機</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>一般のレーザー</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>この加工機とそのソフトに合わせた色、レイヤー、速度、G-code</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10251,6 +10329,10 @@
     <message>
         <source>As drawn</source>
         <translation>描いたとおり</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>この材料と選ばれた加工機について保存されます</translation>
     </message>
 </context>
 <context>
@@ -10342,6 +10424,13 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>書き出していません: もとのファイルはそのままです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>%1 のシートがあと %n 枚足りません。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11877,6 +11966,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>%1 以下です。</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>端材</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>別のサイズのシート。新しいシートより先に使われます</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>図面から…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>シートの残り。実寸の SVG ファイルの最大の輪郭線と、その穴</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>端材の幅</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>端材の高さ</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>この端材の枚数</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>この端材を外す</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1、図面から</translation>
     </message>
 </context>
 <context>
@@ -14349,6 +14478,16 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>約 %n 分</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>端材を追加</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>シートが %n 枚足りません</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14395,6 +14534,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>
             <numerusform> · 部品 %n 個 · %1% を使用</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>端材、シート %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -15279,6 +15422,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>直角に交わるこの材料の板 2 枚の、厚さ、クリアランス、切断幅から</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>販売時の厚さ</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>シートを買うときの厚さ。実際はたいてい少し違います</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>ノギスで測りました</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>実測</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>エクスポート時に一度だけ、切るシートの厚さを尋ねます</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>シート</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>必要なだけ</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 は必要なだけを意味します</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>手元の枚数</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>先に使うもの</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>図面からの端材</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>図面 (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>加工機ごと</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>エクスポートでその加工機が選ばれているときに入力された切断幅です</translation>
     </message>
 </context>
 <context>

@@ -1482,6 +1482,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>Eén vlak meer per richting</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Past op de platen en reststukken die er zijn.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3609,6 +3613,10 @@
         <source>all for a workshop</source>
         <translation>alles voor een werkplaats</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>er is geen scherm met OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4963,6 +4971,30 @@
     <message>
         <source>a drawing</source>
         <translation>een tekening</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>elke machine één keer, in hun volgorde</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>reststukken</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>een omtrek vanaf 0, 0 die zichzelf niet kruist</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>dikten</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>wat een plaat kan hebben</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materialen</translation>
     </message>
 </context>
 <context>
@@ -8402,10 +8434,6 @@
         <translation>Speling die bij sleuven komt; minder dan 0 om te klemmen.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Grootte van een plaat, zoals 600x400.</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>Zegt van alles wat in het bestand is verbeterd waar het stond.</translation>
     </message>
@@ -9227,6 +9255,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Een PDF-bestand met alle stappen (- is de standaarduitvoer), OUT.html voor een webpagina waarop het model gedraaid kan worden, ook op een telefoon, of OUT.png voor OUT-01.png, OUT-02.png enzovoort.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: zoveel reststukken van het materiaal %1 zijn te veel.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Platen van %1 die ontbreken: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>De stappen zitten niet bij de bestanden: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Platen van %1 hebben geen ruimte binnen marges van %2 mm.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: &quot;%1&quot; gevonden, verwacht breedte x hoogte in mm, zoals 300x200, of een .svg-bestand, met daarachter hoeveel er zijn, zoals :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Maat van een plaat, zoals 600x400; met :N erachter hoeveel er zijn.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Een plaat van een andere maat, of wat er van een over is als de grootste omtrek van een .svg-bestand op ware grootte, die vóór hele platen wordt opgebruikt; met :N erachter zoveel; mag herhaald worden.</translation>
     </message>
 </context>
 <context>
@@ -10249,6 +10308,33 @@
         <source>Own size</source>
         <translation>Eigen maat</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>Welke machine?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Kleuren, lagen, snelheden en G-code zoals deze machine en haar programma ze nemen, en wat ze van elk materiaal weghaalt</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, gemeten %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>Dat heb ik gemeten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>%n reststuk wordt eerst opgebruikt.</numerusform>
+            <numerusform>%n reststukken worden eerst opgebruikt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Willekeurige laser</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10269,6 +10355,11 @@
         <source>Nothing to look out for.</source>
         <translation>Niets om op te letten.</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Een plaat van %1 heeft geen ruimte binnen marges van %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10287,18 +10378,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>Getekende sleuf</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Willekeurige laser</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Kleuren, lagen, snelheden en G-code zoals deze machine en haar programma ze gebruiken</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10351,6 +10430,10 @@
     <message>
         <source>As drawn</source>
         <translation>Zoals getekend</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Wordt bewaard voor dit materiaal en de gekozen machine</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10529,14 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>Niet geëxporteerd: de bestanden die er zijn, blijven.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>Er is %n plaat van %1 meer nodig dan er zijn.</numerusform>
+            <numerusform>Er zijn %n platen van %1 meer nodig dan er zijn.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12075,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>Hoogstens %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Reststuk</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Een plaat van een andere maat, die vóór hele platen wordt opgebruikt</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>Uit een tekening…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>Wat er van een plaat over is, als de grootste omtrek van een SVG-bestand op ware grootte, met zijn gaten</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Breedte van het reststuk</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Hoogte van het reststuk</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Hoeveel van dit reststuk</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Dit reststuk weghalen</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, uit een tekening</translation>
     </message>
 </context>
 <context>
@@ -14464,6 +14595,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>ongeveer %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Reststuk toevoegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n plaat meer dan er zijn</numerusform>
+            <numerusform>%n platen meer dan er zijn</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14511,6 +14653,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n onderdeel · %1 % gebruikt</numerusform>
             <numerusform> · %n onderdelen · %1 % gebruikt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Reststuk, plaat %1 van %2</translation>
     </message>
 </context>
 <context>
@@ -15406,6 +15552,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>Dikte, speling en snijbreedte van twee secties van dit materiaal die haaks op elkaar staan</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Verkocht als</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>De dikte waaronder men de plaat koopt; meestal is ze niet precies zo dik</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>met een schuifmaat, door mij</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemeten</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>Exporteren vraagt één keer hoe dik de platen zijn die u gaat snijden</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Platen</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>zoveel als nodig</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 betekent zoveel als nodig</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Hoeveel er zijn</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Eerst opgebruikt</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Een reststuk uit een tekening</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Tekeningen (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Per machine</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Bewaard waar een snijbreedte is getypt terwijl die machine bij het exporteren gekozen was</translation>
     </message>
 </context>
 <context>

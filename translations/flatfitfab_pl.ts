@@ -1509,6 +1509,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>O jedną płaszczyznę więcej w każdym kierunku</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Mieści się na arkuszach i resztkach, które są.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3637,6 +3641,10 @@
         <source>all for a workshop</source>
         <translation>wszystko do warsztatu</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>nie ma ekranu z OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -5001,6 +5009,30 @@
     <message>
         <source>a drawing</source>
         <translation>rysunek</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>każdą maszynę raz, w ich kolejności</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>resztek</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>obrys od 0, 0, który się nie przecina</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>grubości</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>to, co arkusz może mieć</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materiałów</translation>
     </message>
 </context>
 <context>
@@ -8498,10 +8530,6 @@
         <translation>Luz dodawany do szczelin; mniej niż 0 dla pasowania na wcisk.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Rozmiar arkusza, na przykład 600x400.</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>Mówi o każdej rzeczy poprawionej w pliku, gdzie to było.</translation>
     </message>
@@ -9323,6 +9351,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Plik PDF ze wszystkimi krokami (- to standardowe wyjście), OUT.html dla strony internetowej, na której można obracać model, także na telefonie, albo OUT.png dla OUT-01.png, OUT-02.png i tak dalej.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: tyle resztek materiału %1 to za dużo.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Brakujące arkusze materiału %1: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>Kroków nie ma wśród plików: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Arkusze materiału %1 nie mają miejsca między marginesami %2 mm.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: znaleziono „%1”, oczekiwano szerokość x wysokość w mm, np. 300x200, lub pliku .svg, a za nimi, ile ich jest, np. :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Rozmiar arkusza, np. 600x400; z :N za nim, ile ich jest.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Arkusz innego rozmiaru lub to, co z niego zostało, jako największy obrys pliku .svg w prawdziwej wielkości; zużywany przed całymi; z :N za nim tyle sztuk; można powtarzać.</translation>
     </message>
 </context>
 <context>
@@ -10349,6 +10408,34 @@
         <source>Own size</source>
         <translation>Własny rozmiar</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>Która maszyna?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Kolory, warstwy, prędkości i G-code, jakie przyjmuje ta maszyna i jej program, oraz ile zabiera z każdego materiału</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, zmierzono %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>Tyle zmierzono</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>%n resztka jest zużywana najpierw.</numerusform>
+            <numerusform>%n resztki są zużywane najpierw.</numerusform>
+            <numerusform>%n resztek jest zużywanych najpierw.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Dowolny laser</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10369,6 +10456,11 @@
         <source>Nothing to look out for.</source>
         <translation>Nie ma na co uważać.</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Arkusz materiału %1 nie ma miejsca między marginesami %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10387,18 +10479,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>Szczelina na rysunku</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Maszyna</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Dowolny laser</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Kolory, warstwy, prędkości i G-code takie, jakich wymaga ta maszyna i jej program</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10451,6 +10531,10 @@
     <message>
         <source>As drawn</source>
         <translation>Jak narysowano</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Pamiętane dla tego materiału i wybranej maszyny</translation>
     </message>
 </context>
 <context>
@@ -10550,6 +10634,15 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>Nie wyeksportowano: pliki, które tam są, zostają.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>Potrzeba o %n arkusz materiału %1 więcej, niż jest.</numerusform>
+            <numerusform>Potrzeba o %n arkusze materiału %1 więcej, niż jest.</numerusform>
+            <numerusform>Potrzeba o %n arkuszy materiału %1 więcej, niż jest.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12091,6 +12184,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>Najwyżej %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Resztka</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Arkusz innego rozmiaru, zużywany przed całymi</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>Z rysunku…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>To, co zostało z arkusza, jako największy obrys pliku SVG w prawdziwej wielkości, z otworami</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Szerokość resztki</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Wysokość resztki</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Ile takich resztek</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Usuń tę resztkę</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, z rysunku</translation>
     </message>
 </context>
 <context>
@@ -14579,6 +14712,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>około %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Dodaj resztkę</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>o %n arkusz więcej, niż jest</numerusform>
+            <numerusform>o %n arkusze więcej, niż jest</numerusform>
+            <numerusform>o %n arkuszy więcej, niż jest</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14627,6 +14772,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n części · wykorzystanie %1%</numerusform>
             <numerusform> · %n części · wykorzystanie %1%</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Resztka, arkusz %1 z %2</translation>
     </message>
 </context>
 <context>
@@ -15533,6 +15682,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>Grubość, luz i rzaz dwóch prostopadłych do siebie płytek z tego materiału</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Sprzedawane jako</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>Grubość, pod jaką kupuje się arkusz; zwykle nie jest dokładnie taka</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>suwmiarką, przeze mnie</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Zmierzone</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>Eksport pyta raz, jak grube są arkusze, które będziesz ciąć</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Arkusze</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>ile potrzeba</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 oznacza tyle, ile potrzeba</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Ile ich jest</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Zużywane najpierw</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Resztka z rysunku</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Rysunki (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Według maszyny</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Pamiętane tam, gdzie wpisano rzaz, gdy ta maszyna była wybrana w eksporcie</translation>
     </message>
 </context>
 <context>

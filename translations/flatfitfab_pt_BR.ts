@@ -1482,6 +1482,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>Mais um plano em cada direção</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>Cabe nas chapas e nos retalhos que há.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3609,6 +3613,10 @@
         <source>all for a workshop</source>
         <translation>tudo para uma oficina</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>não há tela com OpenGL 3.3.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4963,6 +4971,30 @@
     <message>
         <source>a drawing</source>
         <translation>um desenho</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>cada máquina uma vez, em sua ordem</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>retalhos</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>um contorno a partir de 0, 0 que não se cruze</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>espessuras</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>o que uma chapa pode ter</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>materiais</translation>
     </message>
 </context>
 <context>
@@ -8402,10 +8434,6 @@
         <translation>Folga acrescentada às fendas; menos de 0 para entrar sob pressão.</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>Tamanho da chapa, como 600x400.</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>Diz, de cada coisa corrigida no arquivo, onde foi.</translation>
     </message>
@@ -9227,6 +9255,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>Um arquivo PDF com todos os passos (- é a saída padrão), OUT.html para uma página web em que se pode girar o modelo, também no celular, ou OUT.png para OUT-01.png, OUT-02.png e assim por diante.</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut: tantos retalhos do material %1 são demais.</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>Chapas de %1 que faltam: %2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>As etapas não estão entre os arquivos: %1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>As chapas de %1 não têm espaço dentro de margens de %2 mm.</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut: encontrado &quot;%1&quot;, esperado largura x altura em mm, como 300x200, ou um arquivo .svg, e atrás quantos há, como :2.</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>Tamanho de uma chapa, como 600x400; com :N atrás, quantas há.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>Uma chapa de outro tamanho, ou o que sobrou de uma como o maior contorno de um arquivo .svg em tamanho real, usada antes das inteiras; com :N atrás, tantas delas; pode ser repetido.</translation>
     </message>
 </context>
 <context>
@@ -10249,6 +10308,33 @@
         <source>Own size</source>
         <translation>Tamanho próprio</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>Qual máquina?</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>Cores, camadas, velocidades e G-code como esta máquina e seu programa os usam, e o que ela remove de cada material</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1, medido %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>Foi o que medi</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>%n retalho é usado primeiro.</numerusform>
+            <numerusform>%n retalhos são usados primeiro.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>Qualquer laser</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10269,6 +10355,11 @@
         <source>Nothing to look out for.</source>
         <translation>Nada que exija atenção.</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>Uma chapa de %1 não tem espaço dentro de margens de %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10287,18 +10378,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>Fenda desenhada</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Máquina</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>Qualquer laser</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>Cores, camadas, velocidades e G-code como esta máquina e seu programa os usam</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10351,6 +10430,10 @@
     <message>
         <source>As drawn</source>
         <translation>Como desenhada</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>Guardado para este material e a máquina escolhida</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10529,14 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>Não exportado: os arquivos existentes ficam.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>É preciso %n chapa de %1 a mais do que há.</numerusform>
+            <numerusform>São precisas %n chapas de %1 a mais do que há.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11984,6 +12075,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>No máximo %1.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>Retalho</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>Uma chapa de outro tamanho, usada antes das inteiras</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>De um desenho…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>O que sobrou de uma chapa, como o maior contorno de um arquivo SVG em tamanho real, com seus furos</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>Largura do retalho</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>Altura do retalho</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>Quantos deste retalho</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>Tirar este retalho</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1, de um desenho</translation>
     </message>
 </context>
 <context>
@@ -14464,6 +14595,17 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>cerca de %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>Adicionar um retalho</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>%n chapa a mais do que há</numerusform>
+            <numerusform>%n chapas a mais do que há</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14511,6 +14653,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform> · %n peça · %1 % de uso</numerusform>
             <numerusform> · %n peças · %1 % de uso</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>Retalho, chapa %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -15406,6 +15552,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>Espessura, folga e largura de corte de duas seções deste material perpendiculares uma à outra</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>Vendido como</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>A espessura com que se compra a chapa; em geral não é bem essa</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>com paquímetro, por mim</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>A exportação pergunta uma vez a espessura das chapas que você vai cortar</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Chapas</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>quantas forem precisas</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 significa quantas forem precisas</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>Quantas há</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>Usados primeiro</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>Um retalho de um desenho</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Desenhos (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>Por máquina</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>Guardado onde uma largura de corte foi digitada enquanto essa máquina estava escolhida na exportação</translation>
     </message>
 </context>
 <context>

@@ -1455,6 +1455,10 @@
         <extracomment>of the slices of a mesh</extracomment>
         <translation>每个方向多一个平面</translation>
     </message>
+    <message>
+        <source>Fits the sheets and offcuts that there are.</source>
+        <translation>可以放在现有的板材和余料上。</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -3581,6 +3585,10 @@
         <source>all for a workshop</source>
         <translation>加工所需的全部文件</translation>
     </message>
+    <message>
+        <source>there is no display with OpenGL 3.3.</source>
+        <translation>没有支持 OpenGL 3.3 的显示器。</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>
@@ -4925,6 +4933,30 @@
     <message>
         <source>a drawing</source>
         <translation>图稿</translation>
+    </message>
+    <message>
+        <source>each machine once, in their order</source>
+        <translation>每台机器一次，按顺序</translation>
+    </message>
+    <message>
+        <source>offcuts</source>
+        <translation>余料</translation>
+    </message>
+    <message>
+        <source>an outline from 0, 0 on that does not cross itself</source>
+        <translation>从 0, 0 开始且不自交的轮廓线</translation>
+    </message>
+    <message>
+        <source>thicknesses</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>what a sheet can have</source>
+        <translation>板材可以有的值</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>材料</translation>
     </message>
 </context>
 <context>
@@ -8306,10 +8338,6 @@
         <translation>插槽的附加间隙；小于 0 为过盈配合。</translation>
     </message>
     <message>
-        <source>Size of a sheet, such as 600x400.</source>
-        <translation>板材尺寸，例如 600x400。</translation>
-    </message>
-    <message>
         <source>Says of each thing in the file that was corrected where.</source>
         <translation>逐条说明文件中哪里做了修正。</translation>
     </message>
@@ -9131,6 +9159,37 @@
     <message>
         <source>A PDF file with all steps (- is standard output), OUT.html for a web page where the model can be turned, also on a phone, or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
         <translation>含全部步骤的 PDF 文件（- 表示标准输出），用 OUT.html 写出可转动模型的网页（手机上也能看），或用 OUT.png 写出 OUT-01.png、OUT-02.png 等。</translation>
+    </message>
+    <message>
+        <source>--offcut: so many offcuts of the stock %1 are too many.</source>
+        <translation>--offcut：材料 %1 的余料太多。</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 that are missing: %2</source>
+        <extracomment>%1 is a stock, %2 a number</extracomment>
+        <translation>缺少的 %1 板材：%2</translation>
+    </message>
+    <message>
+        <source>The steps are not among the files: %1</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>文件中没有步骤：%1</translation>
+    </message>
+    <message>
+        <source>Sheets of %1 have no room within margins of %2 mm.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>%1 板材在 %2 mm 边距内没有空间。</translation>
+    </message>
+    <message>
+        <source>--offcut: found &quot;%1&quot;, expected width x height in mm, such as 300x200, or an .svg file, and behind them how many there are, such as :2.</source>
+        <translation>--offcut：找到“%1”，应为以 mm 表示的宽 x 高，例如 300x200，或 .svg 文件，后面可加数量，例如 :2。</translation>
+    </message>
+    <message>
+        <source>Size of a sheet, such as 600x400; with :N behind it, how many there are.</source>
+        <translation>板材尺寸，例如 600x400；后面加 :N 表示数量。</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
+        <translation>其他尺寸的板材，或以实际尺寸 .svg 文件中最大的轮廓线表示的剩余部分，先于整张使用；后面加 :N 表示数量；可重复。</translation>
     </message>
 </context>
 <context>
@@ -10149,6 +10208,32 @@
         <source>Own size</source>
         <translation>自定尺寸</translation>
     </message>
+    <message>
+        <source>Which machine?</source>
+        <translation>哪台机器？</translation>
+    </message>
+    <message>
+        <source>Colours, layers, speeds and G-code as this machine and its program take them, and what it removes of each stock</source>
+        <translation>这台机器及其程序使用的颜色、图层、速度和 G 代码，以及它从每种材料上切去的宽度</translation>
+    </message>
+    <message>
+        <source>%1, measured %2</source>
+        <translation>%1，实测 %2</translation>
+    </message>
+    <message>
+        <source>That is what I measured</source>
+        <translation>这是我测量的值</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n offcut(s) are used up first.</source>
+        <translation>
+            <numerusform>先使用 %n 块余料。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Any laser</source>
+        <translation>任意激光机</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>
@@ -10169,6 +10254,11 @@
         <source>Nothing to look out for.</source>
         <translation>没有要注意的。</translation>
     </message>
+    <message>
+        <source>A sheet of %1 has no room within margins of %2.</source>
+        <extracomment>%1 is a stock, %2 a length</extracomment>
+        <translation>%1 板材在 %2 边距内没有空间。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10187,18 +10277,6 @@
     <message>
         <source>Drawn slit width</source>
         <translation>所画插槽宽</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>机器</translation>
-    </message>
-    <message>
-        <source>Any laser</source>
-        <translation>任意激光机</translation>
-    </message>
-    <message>
-        <source>Colours, layers, speeds and G-code as this machine and its program take them</source>
-        <translation>按这台机器及其程序的要求设置颜色、图层、速度和 G-code</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -10251,6 +10329,10 @@
     <message>
         <source>As drawn</source>
         <translation>按所画</translation>
+    </message>
+    <message>
+        <source>Kept for this stock and the machine that is chosen</source>
+        <translation>为此材料和所选机器保存</translation>
     </message>
 </context>
 <context>
@@ -10342,6 +10424,13 @@
     <message>
         <source>Not exported: the files that are there stay.</source>
         <translation>没有导出：原有的文件保持不变。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n more sheet(s) of %1 than there are.</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation>
+            <numerusform>还缺 %n 张 %1 板材。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11877,6 +11966,46 @@
         <source>At most %1.</source>
         <extracomment>%1 is the largest value, with its unit</extracomment>
         <translation>最大 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OffcutRows</name>
+    <message>
+        <source>Offcut</source>
+        <translation>余料</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, which is used up before whole ones</source>
+        <translation>其他尺寸的板材，先于整张使用</translation>
+    </message>
+    <message>
+        <source>From a drawing…</source>
+        <translation>从图纸…</translation>
+    </message>
+    <message>
+        <source>What is left of a sheet, as the largest outline of an SVG file in true size, with its holes</source>
+        <translation>板材的剩余部分，即实际尺寸 SVG 文件中最大的轮廓线及其孔</translation>
+    </message>
+    <message>
+        <source>Width of the offcut</source>
+        <translation>余料宽度</translation>
+    </message>
+    <message>
+        <source>Height of the offcut</source>
+        <translation>余料高度</translation>
+    </message>
+    <message>
+        <source>How many of this offcut</source>
+        <translation>这种余料的数量</translation>
+    </message>
+    <message>
+        <source>Take this offcut away</source>
+        <translation>移除此余料</translation>
+    </message>
+    <message>
+        <source>%1, from a drawing</source>
+        <extracomment>%1 is the size of the box of an offcut with an outline of its own</extracomment>
+        <translation>%1，来自图纸</translation>
     </message>
 </context>
 <context>
@@ -14349,6 +14478,16 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>约 %n 分钟</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Add an offcut</source>
+        <translation>添加余料</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) more than there are</source>
+        <translation>
+            <numerusform>还缺 %n 张板材</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>
@@ -14395,6 +14534,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>
             <numerusform> · %n 个零件 · 利用率 %1 %</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Offcut, sheet %1 of %2</source>
+        <translation>余料，板材 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -15279,6 +15422,62 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
         <translation>由两个互相垂直、同为此材料的插片的厚度、间隙和切缝得出</translation>
+    </message>
+    <message>
+        <source>Sold as</source>
+        <translation>标称厚度</translation>
+    </message>
+    <message>
+        <source>The thickness by which the sheet is bought; as a rule it is not quite that</source>
+        <translation>购买板材时的厚度；通常并不完全相符</translation>
+    </message>
+    <message>
+        <source>with calipers, by me</source>
+        <translation>由我用卡尺测量</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>Export asks once how thick the sheets are that you will cut</source>
+        <translation>导出时会询问一次您要切割的板材有多厚</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>板材</translation>
+    </message>
+    <message>
+        <source>as many as it takes</source>
+        <translation>按需要</translation>
+    </message>
+    <message>
+        <source>0 means as many as it takes</source>
+        <translation>0 表示按需要</translation>
+    </message>
+    <message>
+        <source>How many there are</source>
+        <translation>现有数量</translation>
+    </message>
+    <message>
+        <source>Used up first</source>
+        <translation>优先使用</translation>
+    </message>
+    <message>
+        <source>An offcut from a drawing</source>
+        <translation>来自图纸的余料</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>图稿 (%1)</translation>
+    </message>
+    <message>
+        <source>By machine</source>
+        <translation>按机器</translation>
+    </message>
+    <message>
+        <source>Kept where a kerf was typed while that machine was chosen in Export</source>
+        <translation>在导出中选择该机器时输入的切缝</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,7 @@ target_sources(fff_ui PRIVATE
     dialogs/file_question.cpp
     dialogs/key_recorder.cpp
     dialogs/libraries.cpp
+    dialogs/offcut_rows.cpp
     dialogs/parts_table.cpp
     dialogs/question_row.cpp
     dialogs/remark_rows.cpp

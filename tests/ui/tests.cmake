@@ -33,6 +33,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/dialogs/tst_export_looks
     ui/dialogs/tst_export_place
     ui/dialogs/tst_sheet_paths
+    ui/dialogs/tst_stock_sheets
     ui/docks/tst_followed_fields
     ui/docks/tst_movement_rows
     ui/docks/tst_operations_docks

@@ -35,6 +35,13 @@ std::vector<CuttingRemark> cuttingRemarks(const Cutting &cutting)
     };
     add(cutting.withoutPart,
         CuttingTexts::tr("The slits of %1 leave nothing of it. It is not cut."));
+    for (const MissingSheets &missing : cutting.missing)
+        //: %1 is the name of a stock
+        remarks.push_back(
+            {CuttingTexts::tr("It takes %n more sheet(s) of %1 than there are.", nullptr,
+                              missing.count)
+                 .arg(QCoreApplication::translate("fff::ui::Stock", missing.stock.c_str())),
+             {}});
     add(cutting.oversized,
         CuttingTexts::tr("%1 is larger than the sheet. It lies on a sheet of its own size."));
     add(cutting.unmarked, CuttingTexts::tr("%1 is too slim to carry its number."));

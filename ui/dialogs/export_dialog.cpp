@@ -79,10 +79,15 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
 
     connect(m_questions, &ExportQuestions::fileChanged, this, &ExportDialog::takeFile);
     connect(&m_questions->place(), &ExportPlaceRow::changeWanted, this, &ExportDialog::changePlace);
-    connect(m_rows, &ExportRows::layoutChanged, this, [this] {
+    const auto takeLayout = [this] {
         m_bench.nesting().setOptions(m_choices.nesting());
         m_work->setFinish(m_choices.cuts());
         m_preview->refresh(); // margin and bar at once
+    };
+    connect(m_rows, &ExportRows::layoutChanged, this, takeLayout);
+    connect(m_questions, &ExportQuestions::machineChanged, this, [this, takeLayout] {
+        m_rows->refresh();
+        takeLayout();
     });
     connect(m_work, &CuttingWork::changed, this, &ExportDialog::refresh);
     connect(&m_checks, &CheckList::changed, this, &ExportDialog::refresh);
@@ -111,7 +116,9 @@ QWidget *ExportDialog::makeChoices(std::vector<ExportFile> files)
     auto *column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 12, 0);
     column->setSpacing(4);
-    m_questions = new ExportQuestions(*m_stocks, std::move(files), keptFiles(m_choices), all);
+    m_stocks->takeKerfsOf(m_choices.machine.toStdString());
+    m_questions =
+        new ExportQuestions(*m_stocks, m_choices, std::move(files), keptFiles(m_choices), all);
     m_rows = new ExportRows(*m_stocks, m_choices, all);
     column->addWidget(m_questions);
     column->addWidget(m_rows);

@@ -1,5 +1,6 @@
 #include "ui/dialogs/export_questions.h"
 
+#include "core/io/machine_library.h"
 #include "core/model/materials.h"
 #include "ui/base/lengths.h"
 #include "ui/base/rich_text.h"
@@ -18,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <numeric>
 
 namespace fff::ui {
 
@@ -46,16 +48,18 @@ int commonSheetOf(const Vec2 &size)
 
 } // namespace
 
-ExportQuestions::ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files,
-                                 const QStringList &chosen, QWidget *parent)
-    : QWidget(parent), m_stocks(stocks), m_file(new FileQuestion(std::move(files), chosen, this)),
-      m_place(new ExportPlaceRow(m_file))
+ExportQuestions::ExportQuestions(StockEdits &stocks, ExportChoices &choices,
+                                 std::vector<ExportFile> files, const QStringList &chosen,
+                                 QWidget *parent)
+    : QWidget(parent), m_stocks(stocks), m_choices(choices),
+      m_file(new FileQuestion(std::move(files), chosen, this)), m_place(new ExportPlaceRow(m_file))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 4);
     column->setSpacing(0);
     m_questions.push_back(makeStock());
     m_questions.push_back(m_sheetQuestion = makeSheet());
+    m_questions.push_back(m_machineQuestion = makeMachine());
     m_file->add(m_place);
     m_questions.push_back(m_file);
     for (QuestionRow *question : m_questions)
@@ -76,9 +80,8 @@ QuestionRow *ExportQuestions::makeStock()
     m_onlyStock->setObjectName(QStringLiteral("exportOnlyStock"));
     m_onlyStock->setTextFormat(Qt::RichText); // a chip and a name
     m_onlyStock->setMinimumHeight(24);
-    auto *again = new LinkRow(question);
-    again->setObjectName(QStringLiteral("exportMeasure"));
-    again->setTexts({tr("Measure again")}); // its link comes before the field
+    m_measure = new LinkRow(question); // before the field
+    m_measure->setObjectName(QStringLiteral("exportMeasure"));
     m_measured = new QWidget(question);
     auto *row = new QHBoxLayout(m_measured);
     row->setContentsMargins(0, 0, 0, 0);
@@ -93,25 +96,56 @@ QuestionRow *ExportQuestions::makeStock()
     words->setBuddy(m_thickness);
     row->addWidget(words);
     row->addWidget(m_thickness, 1);
-    m_measured->hide();
     question->add(m_stockBox);
     question->add(m_onlyStock);
-    question->add(again);
+    question->add(m_measure);
     question->add(m_measured);
     connect(m_stockBox, &QComboBox::activated, this, [this](int choice) {
         m_stocks.choose(m_stocks.stocks()[static_cast<std::size_t>(choice)]);
     });
-    connect(again, &LinkRow::clicked, this, &ExportQuestions::showThickness);
-    connect(m_thickness, &LengthEdit::lengthEdited, this,
-            [this](double mm) { m_stocks.edit([mm](Stock &stock) { stock.thickness = mm; }); });
+    connect(m_measure, &LinkRow::clicked, this, &ExportQuestions::measure);
+    connect(m_thickness, &LengthEdit::lengthEdited, this, [this](double mm) {
+        m_stocks.edit([mm](Stock &stock) {
+            stock.thickness = mm;
+            stock.isMeasured = true;
+        });
+    });
     return question;
 }
 
-void ExportQuestions::showThickness()
+/// It is asked for once: until then its field is open, and the link says that it is right.
+void ExportQuestions::measure()
 {
-    m_measured->show();
+    m_measuresAgain = m_stocks.stock().isMeasured;
+    m_stocks.edit([](Stock &stock) { stock.isMeasured = true; });
+    if (!m_measuresAgain)
+        return;
+    refreshStock();
     m_thickness->setFocus();
     m_thickness->selectAll();
+}
+
+/// The first of the library is what files are made for that nobody chose one for.
+QuestionRow *ExportQuestions::makeMachine()
+{
+    auto *question = new QuestionRow(tr("Which machine?"), this);
+    m_machineBox = choiceBox("exportMachine", tr("Which machine?"), question);
+    m_machineBox->setToolTip(tr("Colours, layers, speeds and G-code as this machine and its "
+                                "program take them, and what it removes of each stock"));
+    question->add(m_machineBox);
+    connect(m_machineBox, &QComboBox::activated, this, &ExportQuestions::chooseMachine);
+    return question;
+}
+
+void ExportQuestions::chooseMachine(int choice)
+{
+    const Machine &machine = *io::machineLibrary()[static_cast<std::size_t>(choice)];
+    m_choices.machine = QString::fromStdString(machine.key);
+    if (!machine.finish.isPlain())
+        m_choices.finish.reset(); // it has its own
+    m_stocks.takeKerfsOf(machine.key);
+    refresh();
+    Q_EMIT machineChanged();
 }
 
 QuestionRow *ExportQuestions::makeSheet()
@@ -128,8 +162,13 @@ QuestionRow *ExportQuestions::makeSheet()
             row->addWidget(new QLabel(QStringLiteral("×"), m_ownSheet));
         row->addWidget(m_sides[axis], 1);
     }
+    m_offcuts = new QLabel(question);
+    m_offcuts->setObjectName(QStringLiteral("exportOffcuts"));
+    m_offcuts->setWordWrap(true);
+    m_offcuts->setForegroundRole(QPalette::PlaceholderText);
     question->add(m_sheetBox);
     question->add(m_ownSheet);
+    question->add(m_offcuts);
     connect(m_sheetBox, &QComboBox::activated, this, &ExportQuestions::chooseSheet);
     return question;
 }
@@ -172,10 +211,23 @@ int ExportQuestions::leastWidth() const
 
 void ExportQuestions::refresh()
 {
+    refreshStock();
+    refreshSheet();
+    refreshMachine();
+    m_sheetQuestion->setVisible(!file().isSolids);
+    m_machineQuestion->setVisible(!file().isSolids);
+    QuestionRow::number(m_questions);
+}
+
+void ExportQuestions::refreshStock()
+{
     const auto text = [this](const Stock &stock) {
-        //: %1 is the name of a stock, %2 its thickness
-        return tr("%1, %2 thick")
-            .arg(stockName(stock), lengthText(stock.thickness, 2, 3, locale()));
+        const QString thickness = lengthText(stock.thickness, 2, 3, locale());
+        return stock.isMeasured
+                   //: %1 is the name of a stock, %2 its thickness
+                   ? tr("%1, measured %2").arg(stockName(stock), thickness)
+                   //: %1 is the name of a stock, %2 its thickness
+                   : tr("%1, %2 thick").arg(stockName(stock), thickness);
     };
     Choices stocks;
     for (const StockId id : m_stocks.stocks()) {
@@ -192,7 +244,13 @@ void ExportQuestions::refresh()
         QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp; %2")
             .arg(stockLook(stock).face.darker(115).name(), text(stock).toHtmlEscaped())));
     m_thickness->setLength(stock.thickness);
+    m_measure->setTexts({stock.isMeasured ? tr("Measure again") : tr("That is what I measured")});
+    m_measured->setVisible(!stock.isMeasured || m_measuresAgain);
+}
 
+void ExportQuestions::refreshSheet()
+{
+    const Stock &stock = m_stocks.stock();
     Choices sheets;
     for (const SheetSize &sheet : commonSheets())
         sheets.all.push_back({sheetText(sheet, locale()), {}});
@@ -204,9 +262,24 @@ void ExportQuestions::refresh()
     m_ownSheet->setVisible(isOwn);
     for (const int axis : {0, 1})
         m_sides[axis]->setLength(stock.sheet[axis]);
+    const int offcuts =
+        std::accumulate(stock.spares.begin(), stock.spares.end(), 0,
+                        [](int sum, const SpareSheet &spare) { return sum + spare.count; });
+    m_offcuts->setText(tr("%n offcut(s) are used up first.", nullptr, offcuts));
+    m_offcuts->setVisible(offcuts > 0);
+}
 
-    m_sheetQuestion->setVisible(!file().isSolids);
-    QuestionRow::number(m_questions);
+void ExportQuestions::refreshMachine()
+{
+    Choices machines;
+    for (const auto &machine : io::machineLibrary()) {
+        if (QString::fromStdString(machine->key) == m_choices.machine)
+            machines.current = static_cast<int>(machines.all.size());
+        machines.all.push_back(
+            {machines.all.empty() ? tr("Any laser") : QString::fromStdString(machine->name), {}});
+    }
+    machines.current = std::max(machines.current, 0);
+    m_machineBox->setChoices(machines);
 }
 
 } // namespace fff::ui

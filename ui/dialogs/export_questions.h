@@ -1,5 +1,5 @@
-// The questions of the Export panel: which stock, which sheet, which file. What is the document's
-// is changed there at once, as a step of the history.
+// The questions of the Export panel: which stock, which sheet, which machine, which file. What is
+// the document's is changed there at once, as a step of the history.
 #pragma once
 
 #include <QWidget> // first: moc stumbles over some standard headers
@@ -17,6 +17,7 @@ namespace fff::ui {
 class ChoiceBox;
 class ExportPlaceRow;
 class LengthEdit;
+class LinkRow;
 class QuestionRow;
 
 class ExportQuestions : public QWidget
@@ -25,8 +26,9 @@ class ExportQuestions : public QWidget
 public:
     /// files   at least one
     /// chosen  keys: the one that is chosen, and what was chosen before of other uses
-    ExportQuestions(StockEdits &stocks, std::vector<ExportFile> files, const QStringList &chosen,
-                    QWidget *parent = nullptr);
+    /// choices changed as a person chooses; it outlives this
+    ExportQuestions(StockEdits &stocks, ExportChoices &choices, std::vector<ExportFile> files,
+                    const QStringList &chosen, QWidget *parent = nullptr);
 
     const ExportFile &file() const { return m_file->file(); }
     /// As they are given, with what is chosen now.
@@ -39,17 +41,29 @@ public:
 
 Q_SIGNALS:
     void fileChanged();
+    void machineChanged();
 
 private:
     QuestionRow *makeStock();
     QuestionRow *makeSheet();
+    QuestionRow *makeMachine();
+    void chooseMachine(int choice);
+    void measure();
     LengthEdit *makeSide(int axis);
     void chooseSheet(int choice);
-    void showThickness();
+
+    void refreshStock();
+    void refreshSheet();
+    void refreshMachine();
 
     StockEdits &m_stocks;
+    ExportChoices &m_choices;
     std::vector<QuestionRow *> m_questions;
-    QuestionRow *m_sheetQuestion = nullptr;
+    QuestionRow *m_sheetQuestion = nullptr, *m_machineQuestion = nullptr;
+    ChoiceBox *m_machineBox = nullptr;
+    LinkRow *m_measure = nullptr;
+    QLabel *m_offcuts = nullptr;
+    bool m_measuresAgain = false;
     ChoiceBox *m_stockBox = nullptr; // of several
     QLabel *m_onlyStock = nullptr;   // in its place, where there is one
     QWidget *m_measured = nullptr;

@@ -3,8 +3,10 @@
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
+#include "ui/base/lengths.h"
 #include "ui/bench/check_words.h"
 #include "ui/bench/cutting_words.h"
+#include "ui/properties/stock_choice.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -68,6 +70,17 @@ void addOfDrawing(const CuttingWork &work, std::vector<ExportRemark> &remarks)
     const Cutting *cutting = work.cutting();
     if (!cutting)
         return;
+    const LayoutOptions &layout = work.made()->nested->question->nesting.layout;
+    for (const Stock &stock : cutting->drawing.stocks)
+        if (!(roomOf(stock.sheet, layout).minCoeff() > 0.0))
+            remarks.push_back(
+                {Severity::Error,
+                 {},
+                 //: %1 is a stock, %2 a length
+                 ExportRemarksTexts::tr("A sheet of %1 has no room within margins of %2.")
+                     .arg(stockName(stock), lengthText(layout.margin, 0, 2, QLocale())),
+                 {},
+                 {}});
     for (const CuttingRemark &remark : cuttingRemarks(*cutting))
         remarks.push_back({Severity::Warning,
                            {},

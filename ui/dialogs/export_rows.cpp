@@ -1,6 +1,6 @@
 #include "ui/dialogs/export_rows.h"
 
-#include "core/io/machine_library.h"
+#include "core/model/machine_kerfs.h"
 #include "ui/dialogs/cut_rows.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
@@ -30,13 +30,14 @@ ExportRows::ExportRows(StockEdits &stocks, ExportChoices &choices, QWidget *pare
 
 PropertyRow *ExportRows::addOfStock(PropertyGroup *group, const QString &name,
                                     const char *objectName, double least, double most,
-                                    double Stock::*value)
+                                    double Stock::*value,
+                                    const std::function<void(Stock &, double)> &write)
 {
     auto *row = new LengthRow(
         name, objectName, {least, most, 0.01, 2, 3},
         [this, value] { return std::optional(m_stocks.stock().*value); },
-        [this, value](double mm) {
-            m_stocks.edit([value, mm](Stock &stock) { stock.*value = mm; });
+        [this, write](double mm) {
+            m_stocks.edit([write, mm](Stock &stock) { write(stock, mm); });
         },
         group);
     row->setThickness([this] { return std::optional(m_stocks.stock().thickness); });
@@ -48,9 +49,12 @@ PropertyRow *ExportRows::addOfStock(PropertyGroup *group, const QString &name,
 PropertyGroup *ExportRows::makeFit()
 {
     auto *group = new PropertyGroup(tr("Fit"), this);
-    PropertyRow *kerf =
-        addOfStock(group, tr("Kerf width (full)"), "exportKerf", 0.0, 5.0, &Stock::kerf);
-    addOfStock(group, tr("Slit clearance"), "exportClearance", -1.0, 1.0, &Stock::clearance);
+    PropertyRow *kerf = addOfStock(
+        group, tr("Kerf width (full)"), "exportKerf", 0.0, 5.0, &Stock::kerf,
+        [this](Stock &stock, double mm) { setKerf(stock, m_choices.machine.toStdString(), mm); });
+    kerf->setToolTip(tr("Kept for this stock and the machine that is chosen"));
+    addOfStock(group, tr("Slit clearance"), "exportClearance", -1.0, 1.0, &Stock::clearance,
+               [](Stock &stock, double mm) { stock.clearance = mm; });
     PropertyRow *fitted = fittedSlitRow(
         [this] { return m_stocks.stock().clearance; },
         [this](double mm) { m_stocks.edit([mm](Stock &stock) { stock.clearance = mm; }); }, group);
@@ -81,38 +85,6 @@ void ExportRows::addLength(PropertyGroup *group, const QString &name, const char
     m_rows.push_back(row);
 }
 
-/// The first of the library is what files are made for that nobody chose one for.
-PropertyRow *ExportRows::makeMachine(PropertyGroup *group)
-{
-    auto *row = new ChoiceRow(
-        tr("Machine"), "exportMachine",
-        [this] {
-            Choices choices;
-            for (const auto &machine : io::machineLibrary()) {
-                const QString key = QString::fromStdString(machine->key);
-                if (key == m_choices.machine)
-                    choices.current = static_cast<int>(choices.all.size());
-                choices.all.push_back(
-                    {choices.all.empty() ? tr("Any laser") : QString::fromStdString(machine->name),
-                     {}});
-            }
-            choices.current = std::max(choices.current, 0);
-            return choices;
-        },
-        [this](int choice) {
-            m_choices.machine =
-                QString::fromStdString(io::machineLibrary()[static_cast<std::size_t>(choice)]->key);
-            if (const auto next = m_choices.chosenMachine(); next && !next->finish.isPlain())
-                m_choices.finish.reset(); // it has its own
-            refresh();
-            Q_EMIT layoutChanged();
-        },
-        group);
-    row->setToolTip(tr("Colours, layers, speeds and G-code as this machine and its program take "
-                       "them"));
-    return row;
-}
-
 PropertyGroup *ExportRows::makeLayout()
 {
     auto *group = new PropertyGroup(tr("Layout"), this);
@@ -140,9 +112,6 @@ PropertyGroup *ExportRows::makeLayout()
     });
     group->add(reference);
     m_rows.push_back(reference);
-    PropertyRow *machine = makeMachine(group);
-    group->add(machine);
-    m_rows.push_back(machine);
     m_ofSheets.push_back(group);
     return group;
 }

@@ -6,6 +6,7 @@
 
 #include "ui/dialogs/export_choices.h"
 
+#include <functional>
 #include <vector>
 
 namespace fff::ui {
@@ -33,9 +34,9 @@ private:
     PropertyGroup *makeFit();
     PropertyGroup *makeLayout();
     PropertyGroup *makeCuts();
-    PropertyRow *makeMachine(PropertyGroup *group);
     PropertyRow *addOfStock(PropertyGroup *group, const QString &name, const char *objectName,
-                            double least, double most, double Stock::*value);
+                            double least, double most, double Stock::*value,
+                            const std::function<void(Stock &, double)> &write);
     void addLength(PropertyGroup *group, const QString &name, const char *objectName, double most,
                    double LayoutOptions::*value);
 

@@ -144,19 +144,25 @@ void paintGrain(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
 void paintGround(const SheetPaths &sheet, const SheetPainting &how, const SheetColours &colours,
                  QPainter &painter)
 {
-    const QRectF whole(QPointF(), sheet.size), onScreen = how.transform.mapRect(whole);
-    painter.fillRect(onScreen, colours.ground);
+    const QRectF whole(QPointF(), sheet.size);
+    QPainterPath edge = how.transform.map(sheet.outline);
+    if (sheet.outline.isEmpty())
+        edge.addRect(how.transform.mapRect(whole));
+    painter.fillPath(edge, colours.ground);
     painter.setBrush(Qt::NoBrush);
     if (how.hasGrain) {
+        painter.save();
+        painter.setClipPath(edge, Qt::IntersectClip);
         painter.setPen(hairline(colours.grain, 1.0));
         paintGrain(sheet, how, painter);
+        painter.restore();
     }
-    if (const double m = how.margin; m > 0.0) {
+    if (const double m = how.margin; m > 0.0 && sheet.outline.isEmpty()) {
         painter.setPen(hairline(colours.margin, 1.0, Qt::DashLine));
         painter.drawRect(how.transform.mapRect(whole.adjusted(m, m, -m, -m)));
     }
     painter.setPen(hairline(colours.edge, 1.0));
-    painter.drawRect(onScreen);
+    painter.drawPath(edge);
 }
 
 void paintReference(const SheetPainting &how, QPainter &painter)

@@ -133,6 +133,14 @@ std::vector<SheetPaths> sheetPaths(const CuttingDrawing &drawing)
         SheetPaths &paths = sheets.emplace_back();
         paths.number = sheet.number;
         paths.size = {sheet.size.x(), sheet.size.y()};
+        if (sheet.outline)
+            for (const Polygon &ring : edgesOf(sheet)) {
+                QPolygonF edge;
+                for (const Vec2 &p : ring)
+                    edge << pointOf(p);
+                paths.outline.addPolygon(edge);
+                paths.outline.closeSubpath();
+            }
         paths.stock = sheet.stock;
         for (const CuttingPart &part : sheet.parts)
             paths.parts.push_back(pathsOf(part));

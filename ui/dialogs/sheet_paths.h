@@ -27,8 +27,9 @@ struct PartPaths
 
 struct SheetPaths
 {
-    int number = 1; // among all sheets of the drawing
-    QSizeF size;    // mm
+    int number = 1;       // among all sheets of the drawing
+    QSizeF size;          // mm
+    QPainterPath outline; // of an offcut; empty: a rectangle of that size
     StockId stock;
     std::vector<PartPaths> parts;
 };

@@ -1,6 +1,7 @@
 #include "ui/dialogs/stock_edits.h"
 
 #include "core/model/edits.h"
+#include "core/model/machine_kerfs.h"
 #include "ui/bench/workbench.h"
 
 #include <algorithm>
@@ -55,12 +56,25 @@ void StockEdits::edit(const std::function<void(Stock &)> &change)
 {
     Stock next = stock();
     change(next);
-    if (next != stock()) {
-        Step step{kSetUpCutting};
-        step.merges = m_merges;
-        m_bench.commit(step, setStock(document(), std::move(next)));
-    }
+    if (next != stock())
+        commit(setStock(document(), std::move(next)));
     Q_EMIT changed(); // what was refused goes back to what it was
+}
+
+void StockEdits::takeKerfsOf(std::string_view machine)
+{
+    Document next = cutOn(document(), machine);
+    if (next.isSame(document()))
+        return;
+    commit(std::move(next));
+    Q_EMIT changed();
+}
+
+void StockEdits::commit(Result<Document> next)
+{
+    Step step{kSetUpCutting};
+    step.merges = m_merges;
+    m_bench.commit(step, std::move(next));
 }
 
 bool StockEdits::isEdited() const

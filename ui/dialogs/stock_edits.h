@@ -4,9 +4,11 @@
 
 #include <QObject> // first: moc stumbles over some standard headers
 
+#include "core/base/result.h"
 #include "core/model/document.h"
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace fff::ui {
@@ -29,6 +31,8 @@ public:
     const Document &document() const;
 
     void edit(const std::function<void(Stock &)> &change);
+    /// All of them with what that machine removes of them, where it is known.
+    void takeKerfsOf(std::string_view machine);
     bool isEdited() const;
     /// The document as it was; the edits can be had again from the history.
     void takeBack();
@@ -38,6 +42,8 @@ Q_SIGNALS:
     void changed();
 
 private:
+    void commit(Result<Document> next);
+
     Workbench &m_bench;
     std::vector<StockId> m_stocks;
     StockId m_chosen;

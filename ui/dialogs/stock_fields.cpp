@@ -1,11 +1,16 @@
 #include "ui/dialogs/stock_fields.h"
 
+#include "core/io/offcut_file.h"
 #include "core/model/edits.h"
+#include "core/model/machine_kerfs.h"
 #include "core/model/materials.h"
+#include "ui/base/file_dialog.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
+#include "ui/dialogs/export_choices.h"
+#include "ui/dialogs/offcut_rows.h"
 #include "ui/dialogs/slit_rows.h"
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/driven_field.h"
@@ -23,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fff::ui {
 
@@ -58,8 +64,9 @@ StockFields::StockFields(Workbench &bench, QWidget *parent) : QWidget(parent), m
     column->addWidget(m_uses);
     column->addSpacing(12);
     makeSheet();
-    makeStrength();
+    makeSheets();
     makeCutting();
+    makeStrength();
     makeSlits();
     column->addStretch(1);
     std::vector<PropertyRow *> rows; // fields of all groups begin at one line
@@ -101,11 +108,84 @@ void StockFields::makeSheet()
         [this, thickness] { thickness->setThickness(stock()->thickness); }, group);
     group->add(row);
     m_rows.push_back(row);
-    auto *size = new EditorRow(tr("Sheet W × H"), "stockSheet", makeSheetSize(), {}, group);
-    group->add(size);
+    makeMeasuring(group);
     addNumber(group, tr("Density"), "stockDensity", 10.0, 20000.0, 10.0, 0, tr("kg/m³"),
               [](Stock &s) -> double & { return s.density; });
     addPrice(group);
+}
+
+/// What it is sold as, and whether somebody has measured it.
+void StockFields::makeMeasuring(PropertyGroup *group)
+{
+    auto *sold = new LengthRow(
+        tr("Sold as"), "stockNominal", ThicknessField::kRange,
+        [this] { return std::optional(stock()->nominalThickness.value_or(stock()->thickness)); },
+        [this](double mm) {
+            edit([mm](Stock &s) {
+                s.nominalThickness = mm == s.thickness ? std::nullopt : std::optional(mm);
+            });
+        },
+        group);
+    sold->setToolTip(tr("The thickness by which the sheet is bought; as a rule it is not quite "
+                        "that"));
+    group->add(sold);
+    m_rows.push_back(sold);
+    auto *box = new QCheckBox(tr("with calipers, by me"));
+    auto *measured = new EditorRow(
+        tr("Measured"), "stockMeasured", box, [this, box] { box->setChecked(stock()->isMeasured); },
+        group);
+    measured->setToolTip(tr("Export asks once how thick the sheets are that you will cut"));
+    connect(box, &QCheckBox::clicked, this,
+            [this](bool on) { edit([on](Stock &s) { s.isMeasured = on; }); });
+    group->add(measured);
+    m_rows.push_back(measured);
+}
+
+/// Whole ones, and what there is besides.
+void StockFields::makeSheets()
+{
+    PropertyGroup *group = addGroup(tr("Sheets"));
+    auto *size = new EditorRow(tr("Sheet W × H"), "stockSheet", makeSheetSize(), {}, group);
+    group->add(size);
+    auto *count = new NumberEdit({0.0, kMostSheets, 1.0, 0, 0}, QString(), group);
+    count->setSpecialValueText(tr("as many as it takes"));
+    count->setToolTip(tr("0 means as many as it takes"));
+    auto *there = new EditorRow(
+        tr("How many there are"), "stockSheetCount", count,
+        [this, count] { count->setNumber(stock()->sheetCount.value_or(0)); }, group);
+    connect(count, &NumberEdit::numberEdited, this, [this](double number) {
+        const int sheets = static_cast<int>(std::lround(number));
+        edit([sheets](Stock &s) {
+            s.sheetCount = sheets > 0 ? std::optional(sheets) : std::nullopt;
+        });
+    });
+    group->add(there);
+    m_rows.push_back(there);
+    m_offcuts = new OffcutRows({[this] { return stock(); },
+                                [this](const std::function<void(Stock &)> &by) { edit(by); },
+                                [this](const char *field) { return followedOf(field); }},
+                               group);
+    m_offcuts->setObjectName(QStringLiteral("stockOffcuts"));
+    auto *offcuts = new EditorRow(
+        tr("Used up first"), "stockOffcuts", m_offcuts, [this] { m_offcuts->refresh(); }, group);
+    group->add(offcuts);
+    m_rows.push_back(offcuts);
+    connect(m_offcuts, &OffcutRows::drawingWanted, this, &StockFields::addOffcutDrawing);
+}
+
+void StockFields::addOffcutDrawing()
+{
+    FileDialog dialog(window(), tr("An offcut from a drawing"), documentsFolder(),
+                      tr("Drawings (%1)").arg(QStringLiteral("*.svg *.svgz")));
+    dialog.setObjectName(QStringLiteral("offcutDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const Result<SpareSheet> spare = io::readOffcut(dialog.selectedFiles().constFirst());
+    if (spare)
+        edit([&](Stock &s) { s.spares.push_back(*spare); });
+    else
+        Q_EMIT m_bench.editFailed(spare.error());
 }
 
 /// Of one sheet, in the money of where the person is.
@@ -211,9 +291,17 @@ void StockFields::makeStrength()
 void StockFields::makeCutting()
 {
     PropertyGroup *group = addGroup(tr("Cutting"));
-    addLength(group, tr("Kerf width (full)"), "stockKerf", 0.0, 5.0, &Stock::kerf, "kerf");
+    addLength(
+        group, tr("Kerf width (full)"), "stockKerf", 0.0, 5.0, &Stock::kerf, "kerf",
+        [](Stock &s, double mm) { setKerf(s, rememberedChoices().machine.toStdString(), mm); });
+    m_kerfs = new TextRow(
+        tr("By machine"), "stockKerfs", [this] { return machineKerfsText(*stock(), locale()); },
+        group);
+    m_kerfs->setToolTip(tr("Kept where a kerf was typed while that machine was chosen in Export"));
+    group->add(m_kerfs);
+    m_rows.push_back(m_kerfs);
     addLength(group, tr("Slit clearance"), "stockClearance", -1.0, 1.0, &Stock::clearance,
-              "clearance");
+              "clearance", [](Stock &s, double mm) { s.clearance = mm; });
     auto *drawn = new TextRow(
         tr("Drawn slit width"), "stockSlitWidth",
         [this] { return drawnSlitText(*stock(), locale()); }, group);
@@ -272,12 +360,13 @@ void StockFields::addRating(PropertyGroup *group, const QString &name, const cha
 }
 
 void StockFields::addLength(PropertyGroup *group, const QString &name, const char *objectName,
-                            double least, double most, double Stock::*value, const char *field)
+                            double least, double most, double Stock::*value, const char *field,
+                            const std::function<void(Stock &, double)> &write)
 {
     auto *row = new LengthRow(
         name, objectName, {least, most, 0.01, 2, 3},
         [this, value] { return std::optional(stock()->*value); },
-        [this, value](double mm) { edit([&](Stock &s) { s.*value = mm; }); }, group);
+        [this, write](double mm) { edit([&](Stock &s) { write(s, mm); }); }, group);
     row->setThickness([this] { return std::optional(stock()->thickness); });
     row->setFollowed(followedOf(field));
     group->add(row);
@@ -315,15 +404,20 @@ void StockFields::editName()
 void StockFields::editNumber(const QString &field)
 {
     auto *number = findChild<NumberEdit *>(field);
-    if (!number)
+    QWidget *wanted = number;
+    if (field == m_offcuts->objectName())
+        wanted = m_offcuts;
+    if (!wanted)
         return;
     for (QWidget *above = parentWidget(); above; above = above->parentWidget()) {
         if (auto *area = qobject_cast<QScrollArea *>(above)) {
             layout()->activate();
-            area->ensureWidgetVisible(number);
+            area->ensureWidgetVisible(wanted);
             break;
         }
     }
+    if (!number)
+        return m_offcuts->focusAdd();
     number->setFocus(Qt::OtherFocusReason);
     number->selectAll();
 }
@@ -342,6 +436,7 @@ void StockFields::refresh()
                                     [this](const auto &s) { return s->stock == m_stock; });
     m_uses->setText(uses == 0 ? tr("No sections are made of it")
                               : tr("%n section(s)", nullptr, static_cast<int>(uses)));
+    m_kerfs->setVisible(!shown->kerfs.empty());
     for (PropertyRow *row : m_rows)
         row->refresh();
 }

@@ -16,6 +16,7 @@ class QLineEdit;
 
 namespace fff::ui {
 
+class OffcutRows;
 class PropertyGroup;
 class PropertyRow;
 class ThicknessField;
@@ -29,12 +30,16 @@ public:
 
     void setStock(fff::StockId stock);
     void editName();
-    /// The number in the field of this name: in sight, and selected.
+    /// The number in the field of this name: in sight, and selected; "stockOffcuts": where one is
+    /// added.
     void editNumber(const QString &field);
     void refresh();
 
 private:
     void makeSheet();
+    void makeMeasuring(PropertyGroup *group);
+    void makeSheets();
+    void addOffcutDrawing();
     void makeStrength();
     void makeCutting();
     void makeSlits();
@@ -48,7 +53,8 @@ private:
                    double step, const QString &unit, double perUnit,
                    std::optional<double> Stock::*value);
     void addLength(PropertyGroup *group, const QString &name, const char *objectName, double least,
-                   double most, double Stock::*value, const char *field);
+                   double most, double Stock::*value, const char *field,
+                   const std::function<void(Stock &, double)> &write);
     Followed followedOf(const char *field);
     QWidget *makeSheetSize();
     const Stock *stock() const;
@@ -60,6 +66,8 @@ private:
     QLineEdit *m_name = nullptr;
     QLabel *m_uses = nullptr;
     ThicknessField *m_thickness = nullptr;
+    OffcutRows *m_offcuts = nullptr;
+    PropertyRow *m_kerfs = nullptr; // of machines
     std::vector<PropertyRow *> m_rows;
 };
 

@@ -1,9 +1,11 @@
 #include "ui/dialogs/stock_words.h"
 
+#include "core/io/machine_library.h"
 #include "ui/bench/measures.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff::ui {
@@ -46,6 +48,21 @@ QString drawnSlitText(const Stock &stock, const QLocale &locale)
                                               : QStringLiteral("%1 = %2 + %3 − %4");
     return sum.arg(lengthText(width, 2, 3, locale), text(stock.thickness),
                    text(std::abs(stock.clearance)), text(stock.kerf));
+}
+
+QString machineKerfsText(const Stock &stock, const QLocale &locale)
+{
+    QStringList kerfs;
+    for (const MachineKerf &one : stock.kerfs) {
+        const auto library = io::machineLibrary();
+        const auto known = std::find_if(library.begin(), library.end(), [&](const auto &machine) {
+            return machine->key == one.machine;
+        });
+        const std::string &name = known != library.end() ? (*known)->name : one.machine;
+        kerfs += QStringLiteral("%1: %2").arg(QString::fromStdString(name),
+                                              lengthText(one.kerf, 2, 3, locale));
+    }
+    return kerfs.join(QStringLiteral(", "));
 }
 
 QString drawnSlitTip()

@@ -16,5 +16,7 @@ QString sheetText(const SheetSize &sheet, const QLocale &locale);
 QString drawnSlitText(const Stock &stock, const QLocale &locale);
 /// What that is, for a tip.
 QString drawnSlitTip();
+/// "K40 with MeerK40t: 0.2 mm, Trotec: 0.12 mm": what machines remove of it, where that is known.
+QString machineKerfsText(const Stock &stock, const QLocale &locale);
 
 } // namespace fff::ui

@@ -27,6 +27,7 @@ constexpr double kWholeTurn = 360.0; // degrees
 struct LyingPart
 {
     PinnedPlace place;
+    int number = 0;      // of its sheet, from 1 on
     int sheets = 0;      // of its stock
     bool fits = true;    // else its sheet is only as large as it is
     Vec2 corner{0, 0};   // lower left of its box, mm
@@ -49,14 +50,20 @@ std::optional<LyingPart> lyingPartOf(const Nested &nested, const SectionRef &sec
     lying.fits = std::find(oversized.begin(), oversized.end(), found->second) == oversized.end();
     const StockId stock = parts[static_cast<std::size_t>(found->second)].stock;
     bool isFound = false;
+    const auto isOversized = [&](const Sheet &sheet) {
+        return !sheet.placements.empty() &&
+               std::find(oversized.begin(), oversized.end(), sheet.placements.front().part) !=
+                   oversized.end();
+    };
     for (const Sheet &sheet : nested.layout->sheets) {
         if (sheet.stock != stock)
             continue;
-        lying.sheets = std::max(lying.sheets, sheet.index + 1);
+        lying.sheets += isOversized(sheet) ? 0 : 1; // in the order in which they are shown
         for (const Placement &placement : sheet.placements) {
             if (placement.part != found->second)
                 continue;
             isFound = true;
+            lying.number = lying.sheets;
             lying.place = {section, 0, sheet.index, placement.turn, placement.offset};
             const Part &part = parts[static_cast<std::size_t>(placement.part)];
             lying.corner =
@@ -129,7 +136,7 @@ void SheetGroup::refresh()
         return;
     m_place = part->place;
     m_fits = part->fits;
-    const QString which = tr("%1 of %2").arg(part->place.sheet + 1).arg(part->sheets);
+    const QString which = tr("%1 of %2").arg(part->number).arg(part->sheets);
     m_sheet = !part->fits    ? tr("too large for one")
               : part->isOnly ? which
                              //: %1 is "1 of 2"

@@ -23,6 +23,8 @@ public:
     LayoutGroup(Workbench &bench, QWidget *parent = nullptr);
 
     void refresh();
+    /// Whose sheet is shown.
+    StockId stock() const;
 
 private:
     void addStock();
@@ -33,7 +35,6 @@ private:
     void addHoles();
     void add(PropertyRow *row);
     std::vector<StockId> stocks() const; // that sections are made of
-    StockId stock() const;
     void choose(const std::function<void(ExportChoices &)> &change);
 
     Workbench &m_bench;

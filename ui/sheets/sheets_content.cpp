@@ -2,6 +2,7 @@
 
 #include "core/analysis/lying_parts.h"
 #include "core/base/units.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/turning.h"
 #include "core/model/sheet_edits.h"
@@ -80,7 +81,8 @@ SheetsContent sheetsContent(std::shared_ptr<const CuttingWork::Made> made)
         for (const Placement &placement : sheet.placements)
             facts.parts.push_back(partOnSheet(placement, nested, bodies));
         facts.isTooLarge = isOversized(sheet, *nested.layout);
-        facts.usedShare = areaOn(sheet, nested.parts->parts) / (sheet.size.x() * sheet.size.y());
+        facts.isOffcut = sheet.index < 0;
+        facts.usedShare = areaOn(sheet, nested.parts->parts) / areaOf(sheet);
         const Stock *stock = nested.analysis->model.document.find(sheet.stock);
         if (stock && stocks.size() > 1)
             facts.stock = stockName(*stock);

@@ -169,6 +169,12 @@ QWidget *SheetsDock::makeFoot()
     m_unpin->setObjectName(QStringLiteral("sheetsUnpin"));
     m_unpin->setTexts({tr("Unpin all")});
     row->addWidget(m_unpin);
+    auto *offcut = new LinkRow(foot);
+    offcut->setObjectName(QStringLiteral("sheetsOffcut"));
+    offcut->setTexts({tr("Add an offcut")});
+    row->addWidget(offcut);
+    connect(offcut, &LinkRow::clicked, this,
+            [this] { Q_EMIT offcutWanted(m_layoutRows->stock()); });
     // Sheets stay where they are as it comes.
     foot->setMinimumHeight(m_unpin->sizeHint().height() + row->contentsMargins().top() +
                            row->contentsMargins().bottom());
@@ -304,8 +310,8 @@ QString SheetsDock::priceText() const
     const Nested &nested = *m_work->made()->nested;
     double sum = 0.0;
     for (std::size_t i = 0; i < nested.layout->sheets.size(); ++i) {
-        if (m_view->content().facts[i].isTooLarge)
-            continue;
+        if (m_view->content().facts[i].isTooLarge || m_view->content().facts[i].isOffcut)
+            continue; // offcuts are paid for
         const Stock *stock = nested.analysis->model.document.find(nested.layout->sheets[i].stock);
         if (!stock || !stock->price)
             return {};
@@ -335,6 +341,8 @@ void SheetsDock::refreshFoot()
     if (const std::optional<double> time = seconds())
         //: how long a machine cuts
         facts += tr("about %n min", nullptr, static_cast<int>(std::ceil(*time / kMinute)));
+    for (const MissingSheets &missing : cutting->missing)
+        facts += tr("%n sheet(s) more than there are", nullptr, missing.count);
     if (const QString price = priceText(); !price.isEmpty())
         facts += price;
     m_foot->setText(keepingUnits(facts.join(QStringLiteral(" \u00B7 "))));

@@ -36,6 +36,10 @@ public:
 
     static constexpr int kLeastHeight = 260; // px
 
+Q_SIGNALS:
+    /// One of that stock is to be added.
+    void offcutWanted(fff::StockId stock);
+
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;

@@ -22,7 +22,8 @@ void SheetsView::paintCaption(const PlacedSheet &placed, QPainter &painter) cons
     const QRectF where = rectOf(placed);
     const SheetFacts &facts = m_content.facts[placed.sheet];
     QRectF line(where.left(), where.top() - kCaptionAbove, where.width(), kCaptionLine);
-    QString head = tr("Sheet %1 of %2").arg(placed.number).arg(placed.of);
+    const QString which = facts.isOffcut ? tr("Offcut, sheet %1 of %2") : tr("Sheet %1 of %2");
+    QString head = which.arg(placed.number).arg(placed.of);
     if (!facts.stock.isEmpty())
         head = facts.stock + QStringLiteral(" \u00B7 ") + head;
     if (placed.isTooLarge)

@@ -194,6 +194,8 @@ void MainWindow::makeDocks()
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_physics = new PhysicsDock(*m_bench, this);
     m_sheets = new SheetsDock(*m_bench, this);
+    connect(m_sheets, &SheetsDock::offcutWanted, this,
+            [this](StockId stock) { showStocks(stock, QStringLiteral("stockOffcuts")); });
     m_values = new ValuesDock(*m_bench, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_viewChips = new ViewChips(*m_bench, m_view, Badges::kBelow);

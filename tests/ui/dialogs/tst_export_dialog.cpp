@@ -48,7 +48,8 @@ private Q_SLOTS:
     void theSlitWidthIsWorkedOut();
     void cancelTakesAllBack();
     void whatIsChangedIsOneStep();
-    void measuringAgainSetsTheThickness();
+    void theThicknessIsAskedForOnce();
+    void eachMachineHasItsKerf();
     void aSheetOfOnesOwn();
     void choicesAreKept();
     void nonsenseInTheSettingsIsPassedOver();
@@ -177,12 +178,23 @@ void TestExportDialog::whatIsChangedIsOneStep()
     QCOMPARE(stock().kerf, birchPlywood().kerf);
 }
 
-void TestExportDialog::measuringAgainSetsTheThickness()
+/// Once: whoever says that it is right, or types another, is not asked again.
+void TestExportDialog::theThicknessIsAskedForOnce()
 {
     draw(squareDocument());
     inExportPanel(*m_window, [&](QDialog *dialog) {
         auto *field = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("exportThickness"));
+        QVERIFY(field->isVisible());
+        auto *measure = dialog->findChild<QWidget *>(QStringLiteral("exportMeasure"));
+        QTest::mouseClick(measure->findChild<QAbstractButton *>(), Qt::LeftButton);
+        QVERIFY(!field->isVisible() && stock().isMeasured);
+        QCOMPARE(stock().thickness, 3.0);
+        exportTo(dialog, file("a.svg"));
+    });
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *field = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("exportThickness"));
         QVERIFY(!field->isVisible());
+        QVERIFY(textOf(dialog, "exportOnlyStock").contains(QStringLiteral("measured")));
         auto *measure = dialog->findChild<QWidget *>(QStringLiteral("exportMeasure"));
         QTest::mouseClick(measure->findChild<QAbstractButton *>(), Qt::LeftButton);
         QVERIFY(field->isVisible());
@@ -193,6 +205,38 @@ void TestExportDialog::measuringAgainSetsTheThickness()
         QVERIFY(textOf(dialog, "exportSlitWidth").contains(QStringLiteral("= 2.95 +")));
     });
     QCOMPARE(stock().thickness, 3.0); // cancelled
+    QVERIFY(stock().isMeasured);
+}
+
+/// What is typed while a machine is chosen is cut for that one again.
+void TestExportDialog::eachMachineHasItsKerf()
+{
+    draw(squareDocument());
+    const double usual = stock().kerf;
+    const auto choose = [](QDialog *dialog, const char *machine) {
+        auto *box = dialog->findChild<QComboBox *>(QStringLiteral("exportMachine"));
+        const int index = box->findText(QLatin1String(machine), Qt::MatchStartsWith);
+        QVERIFY2(index >= 0, machine);
+        box->setCurrentIndex(index);
+        Q_EMIT box->activated(index);
+    };
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        choose(dialog, "K40");
+        QCOMPARE(stock().kerf, usual); // nothing is known of it yet
+        typeInto(dialog, "exportKerf", QStringLiteral("0.3"));
+        choose(dialog, "Trotec");
+        typeInto(dialog, "exportKerf", QStringLiteral("0.1"));
+        choose(dialog, "K40");
+        QCOMPARE(stock().kerf, 0.3);
+        QCOMPARE(dialog->findChild<QDoubleSpinBox *>(QStringLiteral("exportKerf"))->value(), 0.3);
+        choose(dialog, "Trotec");
+        QCOMPARE(stock().kerf, 0.1);
+        exportTo(dialog, file("a.svg"));
+    });
+    QCOMPARE(stock().kerfs.size(), std::size_t(2));
+    session().history()->undo(); // all of it is one step
+    QCOMPARE(stock().kerf, usual);
+    QVERIFY(stock().kerfs.empty());
 }
 
 void TestExportDialog::aSheetOfOnesOwn()

@@ -126,9 +126,6 @@ void TestExportLooks::show(const std::function<void(QDialog *)> &act)
         document = test::withSection(document, test::plateOf(0, 0, 320, 320), test::front(at));
     m_window->bench().session().commit(QStringLiteral("draw"), document);
     inExportPanel(*m_window, [&](QDialog *dialog) {
-        dialog->findChild<QWidget *>(QStringLiteral("exportMeasure"))
-            ->findChild<QAbstractButton *>()
-            ->click();
         auto *sheet = dialog->findChild<QComboBox *>(QStringLiteral("exportSheet"));
         sheet->setCurrentIndex(sheet->count() - 1);
         Q_EMIT sheet->activated(sheet->count() - 1);
