@@ -69,8 +69,11 @@ public:
                        kLeastRows, kMostRows);
         if (expected > kFewPieces)
             m_filling.turns = kTurnsOfMany;
-        for (const Prepared::Sheet &sheet : prepared.sheets)
-            m_unused.push_back(sheet.count);
+        // Those that there are so many of lie ready, and are used up before others are taken.
+        for (std::size_t kind = 0; kind < prepared.sheets.size(); ++kind)
+            for (int i = 0; i < prepared.sheets[kind].count; ++i)
+                if (!prepared.sheets[kind].box.isEmpty())
+                    open(kind);
     }
 
     void put(int piece)
@@ -93,7 +96,9 @@ public:
         Laid laid;
         laid.left = std::move(m_left);
         for (OpenSheet &sheet : m_open)
-            laid.sheets.push_back({sheet.kind, std::move(sheet.pieces), std::move(sheet.poses)});
+            if (!sheet.pieces.empty())
+                laid.sheets.push_back(
+                    {sheet.kind, std::move(sheet.pieces), std::move(sheet.poses)});
         m_steps += m_meter.used;
         return laid;
     }
@@ -112,23 +117,27 @@ private:
         return true;
     }
 
+    void open(std::size_t kind)
+    {
+        const Prepared::Sheet &sheet = m_prepared.sheets[kind];
+        OpenSheet one;
+        one.kind = static_cast<int>(kind);
+        one.board = std::make_unique<Board>(m_prepared.shapes, std::vector{sheet.box}, m_expected);
+        for (const Shape &obstacle : sheet.obstacles)
+            one.board->addObstacle(obstacle, -obstacle.moved);
+        m_open.push_back(std::move(one));
+    }
+
+    /// Of a kind that there are as many of as it takes.
     bool putOnNew(int piece)
     {
-        for (std::size_t kind = 0; kind < m_unused.size(); ++kind) {
+        for (std::size_t kind = 0; kind < m_prepared.sheets.size(); ++kind) {
             const Prepared::Sheet &sheet = m_prepared.sheets[kind];
-            if (m_unused[kind] == 0 || sheet.box.isEmpty())
+            if (sheet.count >= 0 || sheet.box.isEmpty())
                 continue;
-            OpenSheet open;
-            open.kind = static_cast<int>(kind);
-            open.board =
-                std::make_unique<Board>(m_prepared.shapes, std::vector{sheet.box}, m_expected);
-            m_open.push_back(std::move(open));
-            for (const Shape &obstacle : sheet.obstacles)
-                m_open.back().board->addObstacle(obstacle, -obstacle.moved);
-            if (putOn(m_open.back(), piece)) {
-                m_unused[kind] -= m_unused[kind] > 0 ? 1 : 0;
+            open(kind);
+            if (putOn(m_open.back(), piece))
                 return true;
-            }
             m_open.pop_back();
         }
         return false;
@@ -140,7 +149,6 @@ private:
     Steps &m_steps;
     Meter m_meter;
     Filling m_filling;
-    std::vector<int> m_unused; // sheets of each kind; less than 0: any number
     std::vector<OpenSheet> m_open;
     std::vector<int> m_left;
 };

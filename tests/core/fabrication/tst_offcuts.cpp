@@ -190,6 +190,13 @@ void TestOffcuts::offcutsAreUsedUpFirst()
     QCOMPARE(layout.sheets.size(), 1U);
     QCOMPARE(layout.sheets.front().index, -1);
     QVERIFY(layout.sheets.front().outline != nullptr);
+    // Also where a part needs a whole one, on which the others would have room as well.
+    std::vector<Part> more = parts;
+    more.push_back(plainPart(box(0, 0, 560, 60), model.document.currentStock, 9));
+    const Layout both = nestOut(more, model, {}).layout;
+    QCOMPARE(both.sheets.size(), 2U);
+    QCOMPARE(both.sheets.front().index, -1);
+    QCOMPARE(both.sheets.back().placements.size(), 1U);
     // Where a size is asked for, there are sheets of that and nothing else.
     NestOptions options;
     options.layout.sheet = Vec2(500, 300);
