@@ -69,6 +69,7 @@ target_sources(fff_ui PRIVATE
     dialogs/sheet_view.cpp
     dialogs/shortcut_editor.cpp
     dialogs/shortcut_keys.cpp
+    dialogs/slit_picture.cpp
     dialogs/slit_rows.cpp
     dialogs/stock_editor.cpp
     dialogs/stock_edits.cpp

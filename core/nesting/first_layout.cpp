@@ -206,13 +206,21 @@ double usedLength(const Prepared &prepared, const Laid &laid)
 Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
 {
     const std::vector<int> kinds = kindsOfOutlines(prepared);
+    // What lies there already is in the way as well.
+    std::size_t lying = 0;
+    for (const Prepared::Sheet &sheet : prepared.sheets)
+        lying += sheet.obstacles.size();
     Laid best;
     bool isFirst = true;
+    std::vector<std::vector<int>> tried;
     for (const Order order : {Order::Area, Order::Length, Order::Width}) {
         const std::vector<int> pieces = ordered(prepared, problem, order);
         if (!isFirst && pieces.size() > kFewPieces)
             break;
-        Filler filler(prepared, kinds, pieces.size(), steps);
+        if (std::find(tried.begin(), tried.end(), pieces) != tried.end())
+            continue;
+        tried.push_back(pieces);
+        Filler filler(prepared, kinds, pieces.size() + lying, steps);
         for (const int piece : pieces)
             filler.put(piece);
         Laid laid = filler.take();

@@ -2,6 +2,7 @@
 
 #include "core/model/machine_kerfs.h"
 #include "ui/dialogs/cut_rows.h"
+#include "ui/dialogs/slit_picture.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/property_rows.h"
@@ -66,7 +67,15 @@ PropertyGroup *ExportRows::makeFit()
     drawn->setToolTip(drawnSlitTip());
     group->add(drawn);
     m_rows.push_back(drawn);
-    m_ofSheets.insert(m_ofSheets.end(), {kerf, fitted, drawn});
+    auto *picture = new SlitPicture(group);
+    auto *shown = new EditorRow(
+        QString(), "exportSlitPicture", picture,
+        [this, picture] { picture->setStock(m_stocks.stock()); }, group);
+    picture->setAccessibleName(tr("Drawn slit width"));
+    shown->setToolTip(drawnSlitTip());
+    group->add(shown);
+    m_rows.push_back(shown);
+    m_ofSheets.insert(m_ofSheets.end(), {kerf, fitted, drawn, shown});
     return group;
 }
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr LengthEdit::Range kSide{10.0, 10000.0, 10.0, 0, 1}; // mm
 constexpr NumberEdit::Range kCount{1.0, 999.0, 1.0, 0, 0};
-constexpr double kSideWidth = 78, kCountWidth = 62; // px
-const Vec2 kFirst(300.0, 200.0);                    // mm, of one that is added
+constexpr int kSideWidth = 66, kCountWidth = 54, kLeastWidth = 290; // px
+const Vec2 kFirst(300.0, 200.0);                                    // mm, of one that is added
 
 QToolButton *textButton(const QString &icon, const char *objectName, const QString &text,
                         QWidget *parent)
@@ -41,6 +41,7 @@ QToolButton *textButton(const QString &icon, const char *objectName, const QStri
 OffcutRows::OffcutRows(StockAccess stock, QWidget *parent)
     : QWidget(parent), m_stock(std::move(stock))
 {
+    setMinimumWidth(kLeastWidth); // also while there is none
     m_column = new QVBoxLayout(this);
     m_column->setContentsMargins(0, 2, 0, 4);
     m_column->setSpacing(6);
@@ -103,6 +104,8 @@ OffcutRows::Row OffcutRows::makeRow(std::size_t index)
         row->addWidget(side, 1);
     }
     made.outline = new QLabel(made.widget);
+    made.outline->setWordWrap(true);
+    made.outline->setMinimumWidth(1);
     row->addWidget(made.outline, 1);
     auto *times = new QLabel(QStringLiteral("×"), made.widget);
     made.count = new NumberEdit(kCount, QString(), made.widget);

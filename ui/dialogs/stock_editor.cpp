@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -44,6 +45,10 @@ StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *pa
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_fields = new StockFields(bench, area);
     area->setWidget(m_fields);
+    // Nothing of it is cut off at the right, in any language.
+    m_fields->ensurePolished();
+    area->setMinimumWidth(m_fields->minimumSizeHint().width() +
+                          area->verticalScrollBar()->sizeHint().width());
     auto *row = new QHBoxLayout;
     row->setSpacing(16);
     row->addWidget(m_list);

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void theSlitWidthIsWorkedOut();
     void cancelTakesAllBack();
     void whatIsChangedIsOneStep();
+    void thePictureOfTheSlitFollows();
     void theThicknessIsAskedForOnce();
     void eachMachineHasItsKerf();
     void aSheetOfOnesOwn();
@@ -176,6 +177,24 @@ void TestExportDialog::whatIsChangedIsOneStep()
     QCOMPARE(stock().clearance, 0.1);
     session().history()->undo();
     QCOMPARE(stock().kerf, birchPlywood().kerf);
+}
+
+/// What is typed is seen.
+void TestExportDialog::thePictureOfTheSlitFollows()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *picture = dialog->findChild<QWidget *>(QStringLiteral("exportSlitPicture"));
+        QVERIFY(picture && picture->isVisible());
+        const QImage before = picture->grab().toImage();
+        typeInto(dialog, "exportKerf", QStringLiteral("0.6"));
+        const QImage wide = picture->grab().toImage();
+        QVERIFY(wide != before);
+        typeInto(dialog, "exportClearance", QStringLiteral("-0.4"));
+        QVERIFY(picture->grab().toImage() != wide);
+        typeInto(dialog, "exportKerf", QStringLiteral("4")); // wider than the slit
+        QVERIFY(!picture->grab().toImage().isNull());
+    });
 }
 
 /// Once: whoever says that it is right, or types another, is not asked again.
