@@ -31,7 +31,7 @@ StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *pa
     setObjectName(QStringLiteral("stockEditor"));
     setWindowTitle(tr("Stocks"));
     setMinimumSize(600, 420);
-    resize(QSize(700, 560).boundedTo(screen()->availableSize() - QSize(40, 60)));
+    resize(QSize(820, 560).boundedTo(screen()->availableSize() - QSize(40, 60)));
     // A window of its own has no part in the other's shortcuts.
     for (const char *id : {"edit.undo", "edit.redo"})
         addAction(actions.action(id));

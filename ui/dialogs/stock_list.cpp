@@ -25,7 +25,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kWidth = 208, kRowHeight = 28; // px
+constexpr int kWidth = 250, kRowHeight = 28; // px
 constexpr int kIdRole = Qt::UserRole;
 
 QToolButton *button(QWidget *parent, const char *objectName, const char *icon, const QString &text)
