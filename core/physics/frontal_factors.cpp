@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace fff {
 
@@ -274,37 +275,65 @@ void FrontalFactors::add(const Eigen::MatrixXd &part, const int *unknowns, Front
 bool FrontalFactors::factorise(const std::vector<Eigen::MatrixXd> &own,
                                const std::vector<Eigen::MatrixXd> &pieces)
 {
-    for (Front &front : m_fronts) {
-        const auto size = static_cast<Eigen::Index>(front.unknowns.size());
-        const Eigen::Index left = size - front.pivotSize;
-        for (std::size_t i = 0; i < front.unknowns.size(); ++i)
-            m_place[static_cast<std::size_t>(front.unknowns[i])] = static_cast<int>(i);
-        front.columns.setZero(size, front.pivotSize);
-        front.passedOn.setZero(left, left);
-        Eigen::Index start = 0;
-        for (const int block : front.pivots) {
-            const Eigen::MatrixXd &matrix = own[static_cast<std::size_t>(block)];
-            front.columns.block(start, start, matrix.rows(), matrix.cols()) += matrix;
-            start += matrix.rows();
-        }
-        for (const int piece : front.pieces)
-            add(pieces[static_cast<std::size_t>(piece)],
-                m_pieceUnknowns[static_cast<std::size_t>(piece)].data(), front);
-        for (const int index : front.fronts) {
-            Front &earlier = m_fronts[static_cast<std::size_t>(index)];
-            add(earlier.passedOn, earlier.unknowns.data() + earlier.pivotSize, front);
-            earlier.passedOn.resize(0, 0);
-        }
-        Eigen::Ref<Eigen::MatrixXd> top = front.columns.topRows(front.pivotSize);
-        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(top);
-        if (factors.info() != Eigen::Success || !top.diagonal().allFinite())
-            return false;
-        if (left == 0)
+    m_own.clear();
+    return refactorise(own, pieces);
+}
+
+bool FrontalFactors::refactorise(const std::vector<Eigen::MatrixXd> &own,
+                                 const std::vector<Eigen::MatrixXd> &pieces)
+{
+    const std::vector<Eigen::MatrixXd> before = std::exchange(m_own, {});
+    const auto isNew = [&](int block) {
+        const auto i = static_cast<std::size_t>(block);
+        return before.empty() || before[i] != own[i];
+    };
+    std::vector<char> isFilled(m_fronts.size(), 0);
+    for (std::size_t i = 0; i < m_fronts.size(); ++i) {
+        Front &front = m_fronts[i];
+        const bool isReached =
+            std::any_of(front.fronts.begin(), front.fronts.end(),
+                        [&](int earlier) { return isFilled[static_cast<std::size_t>(earlier)]; });
+        if (!isReached && std::none_of(front.pivots.begin(), front.pivots.end(), isNew))
             continue;
-        auto below = front.columns.bottomRows(left);
-        top.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-        front.passedOn.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
+        isFilled[i] = 1;
+        if (!fill(front, own, pieces))
+            return false;
     }
+    m_own = own;
+    return true;
+}
+
+bool FrontalFactors::fill(Front &front, const std::vector<Eigen::MatrixXd> &own,
+                          const std::vector<Eigen::MatrixXd> &pieces)
+{
+    const auto size = static_cast<Eigen::Index>(front.unknowns.size());
+    const Eigen::Index left = size - front.pivotSize;
+    for (std::size_t i = 0; i < front.unknowns.size(); ++i)
+        m_place[static_cast<std::size_t>(front.unknowns[i])] = static_cast<int>(i);
+    front.columns.setZero(size, front.pivotSize);
+    front.passedOn.setZero(left, left);
+    Eigen::Index start = 0;
+    for (const int block : front.pivots) {
+        const Eigen::MatrixXd &matrix = own[static_cast<std::size_t>(block)];
+        front.columns.block(start, start, matrix.rows(), matrix.cols()) += matrix;
+        start += matrix.rows();
+    }
+    for (const int piece : front.pieces)
+        add(pieces[static_cast<std::size_t>(piece)],
+            m_pieceUnknowns[static_cast<std::size_t>(piece)].data(), front);
+    for (const int index : front.fronts) {
+        const Front &earlier = m_fronts[static_cast<std::size_t>(index)];
+        add(earlier.passedOn, earlier.unknowns.data() + earlier.pivotSize, front);
+    }
+    Eigen::Ref<Eigen::MatrixXd> top = front.columns.topRows(front.pivotSize);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(top);
+    if (factors.info() != Eigen::Success || !top.diagonal().allFinite())
+        return false;
+    if (left == 0)
+        return true;
+    auto below = front.columns.bottomRows(left);
+    top.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+    front.passedOn.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
     return true;
 }
 

@@ -25,6 +25,10 @@ public:
     /// False where a pivot is nought, negative or not finite.
     bool factorise(const std::vector<Eigen::MatrixXd> &own,
                    const std::vector<Eigen::MatrixXd> &pieces);
+    /// The same to the last bit where the pieces are what they were the last time: fronts that
+    /// nothing else reaches either stay as they are.
+    bool refactorise(const std::vector<Eigen::MatrixXd> &own,
+                     const std::vector<Eigen::MatrixXd> &pieces);
     /// With the factors.
     Eigen::VectorXd solved(const Eigen::VectorXd &right) const;
 
@@ -36,20 +40,23 @@ private:
         std::vector<int> unknowns;       // of pivots, then of the rest
         Eigen::Index pivotSize = 0;      // unknowns
         Eigen::MatrixXd columns;         // of the pivots: lower half, then factors
-        Eigen::MatrixXd passedOn;        // of the rest, its lower half, until it is summed up
+        Eigen::MatrixXd passedOn;        // of the rest, its lower half
     };
 
     void order(const std::vector<std::vector<int>> &pieces);
     void merge();
     int sizeOf(const std::vector<int> &blocks) const;
     void settle(const std::vector<std::vector<int>> &pieces);
+    bool fill(Front &front, const std::vector<Eigen::MatrixXd> &own,
+              const std::vector<Eigen::MatrixXd> &pieces);
     /// Adds the lower half of what has these unknowns to the front that m_place is of.
     void add(const Eigen::MatrixXd &part, const int *unknowns, Front &front);
 
     std::vector<int> m_sizes, m_starts; // of blocks
     std::vector<std::vector<int>> m_pieceUnknowns;
-    std::vector<Front> m_fronts; // none before those that are summed up in it
-    std::vector<int> m_place;    // of unknowns, in the front that is being filled
+    std::vector<Front> m_fronts;        // none before those that are summed up in it
+    std::vector<int> m_place;           // of unknowns, in the front that is being filled
+    std::vector<Eigen::MatrixXd> m_own; // of the factors that are there; empty: there are none
 };
 
 } // namespace fff

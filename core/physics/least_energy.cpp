@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace fff {
 
@@ -13,8 +14,10 @@ constexpr double kRefined = 1e-12;   // of the right side: what refinement may l
 constexpr int kRefinements = 40;     // at most
 constexpr double kBoundSlack = 1e-9; // of the largest unknown or slope: what is at a bound
 constexpr int kPassesAtOnce = 10;    // then one change a pass
-constexpr int kPassesPerBound = 3;   // of the worst, before the first
-constexpr double kNothing = 1e-300;  // keeps a scale of nothing from being divided by
+/// Of the worst fault: what is smaller may well be gone when the others are. So half the passes do.
+constexpr double kWorthAPass = 0.02;
+constexpr int kPassesPerBound = 3;  // of the worst, before the first
+constexpr double kNothing = 1e-300; // keeps a scale of nothing from being divided by
 
 std::vector<std::vector<int>> blocksOf(const std::vector<EnergyPiece> &pieces)
 {
@@ -156,7 +159,7 @@ bool LeastEnergySearch::solve()
         m_multipliers.push_back(Eigen::VectorXd::Zero(piece.constant.size()));
         squares += piece.constant.squaredNorm();
     }
-    if (!m_factors.factorise(own, m_held))
+    if (!m_factors.refactorise(own, m_held))
         return false;
     // Two scales: displacements and forces.
     const double forces = std::max(std::sqrt(squares), kNothing);
@@ -210,7 +213,8 @@ std::vector<std::pair<double, int>> LeastEnergySearch::faults() const
 LeastEnergy LeastEnergySearch::least(const std::vector<int> &zeros, const LongWork &work)
 {
     const int bounds = static_cast<int>(m_problem.bounds.size());
-    m_isAtBound.assign(m_problem.bounds.size(), false);
+    if (!std::exchange(m_isSettled, false))
+        m_isAtBound.assign(m_problem.bounds.size(), false);
     const int bland = kPassesAtOnce + kPassesPerBound * bounds, most = bland + 10 * bounds + 10;
     const auto result = [this](int passes, bool isSettled) {
         return LeastEnergy{m_x, m_isAtBound, passes, isSettled};
@@ -224,16 +228,17 @@ LeastEnergy LeastEnergySearch::least(const std::vector<int> &zeros, const LongWo
         const std::vector<std::pair<double, int>> wrong = faults();
         if (wrong.empty()) {
             finish();
+            m_isSettled = true;
             work.tell(1.0);
             return result(pass, true);
         }
+        const auto worst = *std::max_element(wrong.begin(), wrong.end());
         if (pass <= kPassesAtOnce) {
             for (const auto &[fault, bound] : wrong)
-                change(bound);
-        } else if (pass <= bland) {
-            change(std::max_element(wrong.begin(), wrong.end())->second);
+                if (fault >= kWorthAPass * worst.first)
+                    change(bound);
         } else {
-            change(wrong.front().second);
+            change(pass <= bland ? worst.second : wrong.front().second);
         }
         share += 0.3 * (1.0 - share);
         work.tell(share);

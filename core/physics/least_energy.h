@@ -2,8 +2,8 @@
 // its unilateral contacts come to.
 #pragma once
 
-#include "core/physics/frontal_factors.h"
 #include "core/base/long_work.h"
+#include "core/physics/frontal_factors.h"
 
 #include <Eigen/Core>
 #include <utility>
@@ -53,9 +53,10 @@ struct LeastEnergy
 };
 
 /// By an active set: every pass solves with some unknowns at their bounds, then fixes those that
-/// break one and frees those that pull away from theirs; all at once to begin with, later the worst
-/// alone, then the first (Bland), which cannot cycle. Each solve is one factorisation of the energy
-/// and of stiff springs that hold equations and bounds, refined until the springs carry nothing; so
+/// break one and frees those that pull away from theirs; all that matter at once to begin with,
+/// later the worst alone, then the first (Bland), which cannot cycle. A further search starts at
+/// the bounds that the last one ended with. Each solve is one factorisation of the energy and of
+/// stiff springs that hold equations and bounds, refined until the springs carry nothing; so
 /// motions that nothing holds are harmless while nothing drives them.
 /// Source  J. Nocedal, S. Wright 2006, Numerical optimization, 16.5 and 17.3 (augmented
 ///         Lagrangian); R. Rockafellar 1976, the proximal point algorithm.
@@ -106,6 +107,7 @@ private:
     FrontalFactors m_factors;
     // of the pass
     std::vector<bool> m_isAtBound;
+    bool m_isSettled = false; // so that they are a start for the next search
     std::vector<Row> m_rows;
     Eigen::VectorXd m_x;
     std::vector<Eigen::VectorXd> m_multipliers; // of the pieces' equations
