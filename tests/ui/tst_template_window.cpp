@@ -44,6 +44,7 @@ private Q_SLOTS:
     void turnedByNumbers();
     void itsFileIsFoundLinkedAndKept();
     void suggestionsComeOneStepEach();
+    void whatIsUndoneBehindAnotherTabEnds();
     void facetsTakeThePlaceOfTheMesh();
     void aPictureIsSeenLaidAndTraced();
 
@@ -245,6 +246,27 @@ void TestTemplateWindow::suggestionsComeOneStepEach()
     QVERIFY(!another->isEnabled() && !more->isEnabled());
     push("suggestSections"); // what was undone is no reason to go on from there
     QCOMPARE(steps(), before + 1);
+}
+
+// Wrong: the button that is no longer to be pressed, behind another tab, gives the focus away, and
+// what looks for somebody to take it never ends.
+void TestTemplateWindow::whatIsUndoneBehindAnotherTabEnds()
+{
+    chooseBall();
+    push("suggestSections");
+    m_window->findChild<QPushButton *>(QStringLiteral("suggestOneMore"))->setFocus();
+    push("suggestOneMore");
+    for (const char *name : {"historyDock", "outlineDock"}) {
+        if (auto *dock = m_window->findChild<QDockWidget *>(QLatin1String(name))) {
+            dock->show();
+            dock->raise();
+            QTest::qWait(20);
+        }
+    }
+    while (session().history()->canUndo())
+        session().history()->undo();
+    QCOMPARE(count(), std::size_t(0));
+    QVERIFY(m_window->focusWidget());
 }
 
 void TestTemplateWindow::facetsTakeThePlaceOfTheMesh()

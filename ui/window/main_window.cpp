@@ -55,6 +55,7 @@
 #include <QScreen>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <set>
 
 namespace fff::ui {
 
@@ -401,16 +402,20 @@ void MainWindow::keyPressEvent(QKeyEvent *event)
         m_view->setFocus(Qt::OtherFocusReason);
 }
 
-/// Passes over what lies in docks behind other tabs: Qt goes there too.
+/// Passes over what lies in docks behind other tabs: Qt goes there too. Some fields hand the focus
+/// on as they get it, so that it may come round without passing where it began: then the view has
+/// it.
 bool MainWindow::focusNextPrevChild(bool next)
 {
-    const QWidget *first = nullptr;
+    std::set<const QWidget *> passed;
     while (QMainWindow::focusNextPrevChild(next)) {
         const QWidget *now = focusWidget();
-        if (!now || now == first || isSeen(now))
+        if (!now || isSeen(now))
             return true;
-        if (!first)
-            first = now;
+        if (!passed.insert(now).second) {
+            m_view->setFocus(Qt::OtherFocusReason);
+            return true;
+        }
     }
     return false;
 }
