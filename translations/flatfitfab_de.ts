@@ -12147,6 +12147,10 @@
         <source>Keep it</source>
         <translation>So lassen</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15811,6 +15815,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Unfolding…</source>
         <translation>Wird abgewickelt …</translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Wähle zuerst die Scheibe aus, in die Löcher sollen, oder lege die Zeichnung darauf.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Wähle zuerst die Scheibe aus, die graviert werden soll, oder lege die Zeichnung darauf.</translation>
     </message>
 </context>
 <context>

@@ -12147,6 +12147,10 @@
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Elegir</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15811,6 +15815,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>Hecho: %n sección.</numerusform>
             <numerusform>Hecho: %n secciones.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Selecciona primero la sección en la que cortar agujeros o coloca el dibujo sobre ella.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Selecciona primero la sección que se va a grabar o coloca el dibujo sobre ella.</translation>
     </message>
 </context>
 <context>

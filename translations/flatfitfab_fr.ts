@@ -12147,6 +12147,10 @@
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Choisir</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15811,6 +15815,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n section faite.</numerusform>
             <numerusform>%n sections faites.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Sélectionnez d’abord la section à percer, ou posez le dessin dessus.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Sélectionnez d’abord la section à graver, ou posez le dessin dessus.</translation>
     </message>
 </context>
 <context>

@@ -12147,6 +12147,10 @@
         <source>Undo</source>
         <translation>Annulla</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Scegli</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15811,6 +15815,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n sezione creata.</numerusform>
             <numerusform>%n sezioni create.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Seleziona prima la sezione in cui tagliare i fori, oppure appoggiaci sopra il disegno.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Seleziona prima la sezione da incidere, oppure appoggiaci sopra il disegno.</translation>
     </message>
 </context>
 <context>

@@ -12038,6 +12038,10 @@
         <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>選ぶ</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15678,6 +15682,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>
             <numerusform>板 %n 枚を作りました。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>先に穴をあける板を選択するか、図面をその板の上に置いてください。</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>先に彫刻する板を選択するか、図面をその板の上に置いてください。</translation>
     </message>
 </context>
 <context>

@@ -12147,6 +12147,10 @@
         <source>Undo</source>
         <translation>Ongedaan maken</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Kiezen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15811,6 +15815,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n sectie gemaakt.</numerusform>
             <numerusform>%n secties gemaakt.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Selecteer eerst de sectie waarin gaten komen, of leg de tekening erop.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Selecteer eerst de sectie die gegraveerd wordt, of leg de tekening erop.</translation>
     </message>
 </context>
 <context>

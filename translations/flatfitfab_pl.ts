@@ -12256,6 +12256,10 @@
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wybierz</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15944,6 +15948,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>Utworzono %n płytki.</numerusform>
             <numerusform>Utworzono %n płytek.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Najpierw zaznacz płytkę, w której mają być otwory, albo połóż na niej rysunek.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Najpierw zaznacz płytkę do grawerowania albo połóż na niej rysunek.</translation>
     </message>
 </context>
 <context>

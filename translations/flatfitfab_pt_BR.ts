@@ -12147,6 +12147,10 @@
         <source>Undo</source>
         <translation>Desfazer</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>Escolher</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15811,6 +15815,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n seção feita.</numerusform>
             <numerusform>%n seções feitas.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>Selecione primeiro a seção em que cortar furos ou coloque o desenho sobre ela.</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>Selecione primeiro a seção a gravar ou coloque o desenho sobre ela.</translation>
     </message>
 </context>
 <context>

@@ -12038,6 +12038,10 @@
         <source>Undo</source>
         <translation>撤销</translation>
     </message>
+    <message>
+        <source>Choose</source>
+        <translation>选择</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OperationPage</name>
@@ -15678,6 +15682,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>
             <numerusform>已生成 %n 个插片。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <translation>请先选中要切孔的插片，或把图放在它上面。</translation>
+    </message>
+    <message>
+        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <translation>请先选中要雕刻的插片，或把图放在它上面。</translation>
     </message>
 </context>
 <context>

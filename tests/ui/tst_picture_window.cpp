@@ -72,6 +72,7 @@ private Q_SLOTS:
     void outlinesAreSeenWhileTraceIsOpen();
     void theyFollowTheNumbersAndTheTemplate();
     void tracedIsWhatWasSeen();
+    void holesWantASection();
     void tooManyForSectionsIsSaid();
     void pastedPicturesAreTemplates_data();
     void pastedPicturesAreTemplates();
@@ -255,6 +256,26 @@ void TestPictureWindow::tracedIsWhatWasSeen()
         QVERIFY(*again.sections[i]->shape == *made.sections[i]->shape);
         QVERIFY(again.sections[i]->frame == made.sections[i]->frame);
     }
+}
+
+// Wrong: a key of a parameter in place of a sentence, which stays when all is well again.
+void TestPictureWindow::holesWantASection()
+{
+    add(test::pictureTemplate(test::pictureOf(
+        260, 180, [](double x, double y) { return std::hypot(x - 80, y - 90) < 60; })));
+    clickRow(0);
+    foldTrace();
+    const auto *bar = m_window->findChild<MessageBar *>();
+    push("flat.holes");
+    QCOMPARE(bar->text(),
+             QStringLiteral("Select the section to cut holes in first, or lay the drawing on it."));
+    push("flat.engraved");
+    QCOMPARE(bar->text(),
+             QStringLiteral("Select the section to engrave first, or lay the drawing on it."));
+    QCOMPARE(count(), std::size_t(0));
+    push("flat.sections");
+    QTRY_COMPARE(count(), std::size_t(1));
+    QVERIFY(!bar->isVisible());
 }
 
 void TestPictureWindow::tooManyForSectionsIsSaid()

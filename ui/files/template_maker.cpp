@@ -91,7 +91,10 @@ void TemplateMaker::trace(const WantedTrace &wanted)
     if (wanted.as != DrawingAs::Sections)
         section = sectionToDrawOn(model, one->on, m_bench.interaction().sectionsInFocus());
     if (!section) {
-        Q_EMIT failed(io::errorText(section.error()));
+        Q_EMIT failed(
+            wanted.as == DrawingAs::Holes
+                ? tr("Select the section to cut holes in first, or lay the drawing on it.")
+                : tr("Select the section to engrave first, or lay the drawing on it."));
         return;
     }
     m_bench.layDownTool();

@@ -87,8 +87,17 @@ void MainWindow::connectTemplates()
     connect(&m_bench->session(), &Session::committedChanged, m_templates,
             [this, maker] { m_templates->setHasSuggestion(maker->hasSuggestion()); });
     connect(maker, &TemplateMaker::said, m_status, &StatusLine::say);
-    connect(maker, &TemplateMaker::failed, m_messages,
-            [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
+    const auto failed = std::make_shared<QString>();
+    connect(maker, &TemplateMaker::failed, m_messages, [this, failed](const QString &text) {
+        m_messages->show(MessageBar::Severity::Error, {text});
+        *failed = m_messages->text();
+    });
+    // What failed is no news any more once something has come of it.
+    connect(&m_bench->session(), &Session::committedChanged, m_messages, [this, failed] {
+        if (!failed->isEmpty() && m_messages->text() == *failed)
+            m_messages->dismiss();
+        failed->clear();
+    });
 }
 
 void MainWindow::readMesh(const QString &path)

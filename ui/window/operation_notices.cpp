@@ -28,9 +28,9 @@ void OperationNotices::follow()
         const auto known = m_known.find(id);
         for (const OperationNotice &notice : result->notices) {
             // What was left out is seen, and said where the operation is.
-            const bool isWorth =
-                isFailure(notice) || notice.kind == OperationNotice::Kind::StoppedAtMost ||
-                notice.kind == OperationNotice::Kind::NothingToDo;
+            const bool isWorth = isFailure(notice) ||
+                                 notice.kind == OperationNotice::Kind::StoppedAtMost ||
+                                 notice.kind == OperationNotice::Kind::NothingToDo;
             const bool isNew =
                 known == m_known.end() ||
                 std::none_of(known->second.begin(), known->second.end(),
@@ -58,7 +58,8 @@ void OperationNotices::tell(const Operation &operation, const OperationNotice &n
     const OperationId id = operation.id;
     if (notice.kind == OperationNotice::Kind::InputMissing) {
         const std::string role = notice.role;
-        verbs.push_back({tr("Choose another"), [this, id, role] {
+        const QString choose = notice.name.empty() ? tr("Choose") : tr("Choose another");
+        verbs.push_back({choose, [this, id, role] {
                              m_bench.selectOperation(id);
                              m_bench.run(QStringLiteral("operation.choose"), {{"role", role}});
                          }});
