@@ -16110,6 +16110,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Fast.&lt;/b&gt; Ziehe den runden Griff am Ende der Reihe zurück, bis keine Plakette mehr rot ist; dann schreibt &lt;b&gt;Export …&lt;/b&gt; die Datei für den Cutter.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;Das ist sehr klein.&lt;/b&gt; Mach es rückgängig und zeichne es größer, etwa halb so breit wie die Ansicht.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Hier endet der Rundgang.&lt;/b&gt; Im Menü &lt;b&gt;Hilfe&lt;/b&gt; kannst du ihn noch einmal machen. Mehr steht unter &lt;b&gt;F1&lt;/b&gt;.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

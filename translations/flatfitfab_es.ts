@@ -16110,6 +16110,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Casi.&lt;/b&gt; Arrastra hacia atrás el tirador redondo al final de la fila hasta que ninguna insignia esté en rojo; entonces &lt;b&gt;Exportar…&lt;/b&gt; escribe el archivo para la cortadora.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;Ha quedado muy pequeño.&lt;/b&gt; Deshazlo y dibújalo más grande, más o menos la mitad de ancho que la vista.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;El recorrido termina aquí.&lt;/b&gt; Puedes repetirlo desde el menú &lt;b&gt;Ayuda&lt;/b&gt;. Pulsa &lt;b&gt;F1&lt;/b&gt; para saber más.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -16110,6 +16110,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Presque.&lt;/b&gt; Ramenez la poignée ronde au bout de la rangée jusqu’à ce qu’aucune pastille ne soit rouge ; &lt;b&gt;Exporter…&lt;/b&gt; écrit alors le fichier pour la découpeuse.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;C’est bien petit.&lt;/b&gt; Annulez, puis dessinez en plus grand, sur environ la moitié de la largeur de la vue.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;La visite s’arrête ici.&lt;/b&gt; Vous pouvez la refaire depuis le menu &lt;b&gt;Aide&lt;/b&gt;. Appuyez sur &lt;b&gt;F1&lt;/b&gt; pour en savoir plus.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -16110,6 +16110,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Quasi.&lt;/b&gt; Trascina indietro la maniglia rotonda alla fine della fila finché nessun bollino è rosso; poi &lt;b&gt;Esporta…&lt;/b&gt; scrive il file per la macchina da taglio.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;È molto piccolo.&lt;/b&gt; Annulla e disegnalo più grande, largo circa metà della vista.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;La visita guidata finisce qui.&lt;/b&gt; Puoi rifarla dal menu &lt;b&gt;Aiuto&lt;/b&gt;. Premi &lt;b&gt;F1&lt;/b&gt; per saperne di più.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

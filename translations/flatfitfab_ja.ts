@@ -15975,6 +15975,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;あと少しです。&lt;/b&gt;列の端の丸いハンドルを、赤いバッジがなくなるまで戻します。そのあと&lt;b&gt;書き出し…&lt;/b&gt;でカット用のファイルを書き出します。</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;とても小さい形です。&lt;/b&gt;取り消して、ビューの幅の半分くらいの大きさに描き直しましょう。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;ツアーはここで終わりです。&lt;/b&gt;&lt;b&gt;ヘルプ&lt;/b&gt;メニューからもう一度始められます。続きは &lt;b&gt;F1&lt;/b&gt; でどうぞ。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -16110,6 +16110,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Bijna.&lt;/b&gt; Sleep de ronde greep aan het eind van de rij terug tot geen label meer rood is; dan schrijft &lt;b&gt;Export…&lt;/b&gt; het bestand voor de snijmachine.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;Dat is wel erg klein.&lt;/b&gt; Maak het ongedaan en teken het groter, ongeveer half zo breed als het beeld.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Hier eindigt de rondleiding.&lt;/b&gt; Via het menu &lt;b&gt;Help&lt;/b&gt; kun je haar opnieuw doen. Druk op &lt;b&gt;F1&lt;/b&gt; voor meer.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -16245,6 +16245,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Prawie.&lt;/b&gt; Cofnij okrągły uchwyt na końcu rzędu, aż żadna etykieta nie będzie czerwona; wtedy &lt;b&gt;Eksportuj…&lt;/b&gt; zapisze plik dla wycinarki.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;To bardzo mały kształt.&lt;/b&gt; Cofnij go i narysuj większy, mniej więcej na połowę szerokości widoku.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;Tu kończy się przewodnik.&lt;/b&gt; Możesz przejść go ponownie z menu &lt;b&gt;Pomoc&lt;/b&gt;. Więcej pod &lt;b&gt;F1&lt;/b&gt;.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -16110,6 +16110,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;Quase.&lt;/b&gt; Arraste para trás a alça redonda no fim da fileira até nenhum selo estar vermelho; então &lt;b&gt;Exportar…&lt;/b&gt; grava o arquivo para a cortadora.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;Ficou muito pequeno.&lt;/b&gt; Desfaça e desenhe maior, com cerca de metade da largura da vista.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;O tour termina aqui.&lt;/b&gt; Você pode refazê-lo pelo menu &lt;b&gt;Ajuda&lt;/b&gt;. Pressione &lt;b&gt;F1&lt;/b&gt; para saber mais.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -15975,6 +15975,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>&lt;b&gt;Nearly.&lt;/b&gt; Drag the round handle at the end of the row back until no badge is red; then &lt;b&gt;Export…&lt;/b&gt; writes the file for the cutter.</source>
         <translation>&lt;b&gt;差一点。&lt;/b&gt;把这一排末端的圆形手柄往回拖，直到没有红色标签；然后用&lt;b&gt;导出…&lt;/b&gt;写出切割机用的文件。</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;That one is very small.&lt;/b&gt; Undo it, then draw it larger, about half as wide as the view.</source>
+        <translation>&lt;b&gt;这个太小了。&lt;/b&gt;请撤销，再画大一些，宽度约为视图的一半。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The tour ends here.&lt;/b&gt; You can take it again from the &lt;b&gt;Help&lt;/b&gt; menu. Press &lt;b&gt;F1&lt;/b&gt; for more.</source>
+        <translation>&lt;b&gt;导览到此结束。&lt;/b&gt;可以从&lt;b&gt;帮助&lt;/b&gt;菜单再次开始。按 &lt;b&gt;F1&lt;/b&gt; 了解更多。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::UnsavedWork</name>

@@ -12,6 +12,23 @@ namespace {
 /// Turned or zoomed by so much, somebody has tried it.
 const double kTurned = radians(12.0);
 constexpr double kZoomed = 1.25;
+/// mm, of a section that the next steps can be done with: less is a slip of the hand, or no room
+/// for a slit.
+constexpr double kLeastLong = 40.0, kLeastWide = 15.0;
+
+bool isLargeEnough(const Section &section)
+{
+    const Vec2 size = section.shape->bounds().size();
+    return std::max(size.x(), size.y()) >= kLeastLong && std::min(size.x(), size.y()) >= kLeastWide;
+}
+
+/// One that was drawn across another one.
+bool hasCross(const Model &model)
+{
+    return std::any_of(
+        model.sections().begin(), model.sections().end(),
+        [](const SectionPointer &section) { return section->parent && isLargeEnough(*section); });
+}
 
 std::vector<double> thicknessesOf(const Document &document)
 {
@@ -22,6 +39,14 @@ std::vector<double> thicknessesOf(const Document &document)
 }
 
 } // namespace
+
+const Section *bodyOf(const Model &model)
+{
+    for (const SectionPointer &section : model.sections())
+        if (isLargeEnough(*section))
+            return section.get();
+    return nullptr;
+}
 
 Tour::Tour(Workbench &bench, QObject *parent) : QObject(parent), m_bench(bench)
 {
@@ -39,6 +64,7 @@ void Tour::begin(bool canRepeat)
     m_isOn = true;
     m_hadBody = false;
     m_done.clear();
+    m_skipped.clear();
     m_at = 0;
     m_camera.reset();
     const Document &document = m_bench.session().committed().document;
@@ -60,6 +86,7 @@ void Tour::skip()
         return;
     m_hadBody = false;
     m_done.insert(m_steps[m_at]);
+    m_skipped.insert(m_steps[m_at]);
     goOn();
 }
 
@@ -76,7 +103,7 @@ void Tour::leaveOutRepeat()
 
 bool Tour::lacksBody() const
 {
-    return m_hadBody && m_bench.session().committed().sectionCount() == 0;
+    return m_hadBody && !bodyOf(m_bench.session().committed());
 }
 
 Tour::Step Tour::step() const
@@ -89,6 +116,13 @@ bool Tour::isWaitingForSections() const
     return m_isOn && !isDone() && (step() == Step::Draw || step() == Step::Cross);
 }
 
+bool Tour::isTooSmall() const
+{
+    const Model &model = m_bench.session().committed();
+    return isWaitingForSections() && model.drawnCount() > 0 &&
+           !isLargeEnough(*model.section(model.drawnCount() - 1));
+}
+
 int Tour::number() const
 {
     return !isDone() && lacksBody() ? 0 : static_cast<int>(m_at);
@@ -96,9 +130,11 @@ int Tour::number() const
 
 void Tour::did(Step what)
 {
-    if (!m_isOn || isDone() || !m_done.insert(what).second)
+    if (!m_isOn || isDone())
         return;
-    goOn();
+    m_skipped.erase(what);
+    if (m_done.insert(what).second)
+        goOn();
 }
 
 /// To the first step that is not done yet.
@@ -123,10 +159,11 @@ void Tour::followModel()
     }
     const Model &model = m_bench.session().committed();
     const std::size_t before = m_at;
-    m_hadBody = m_hadBody || model.sectionCount() > 0;
-    if (model.sectionCount() > 0)
+    if (bodyOf(model)) {
+        m_hadBody = true;
         did(Step::Draw);
-    if (model.sectionCount() > 1)
+    }
+    if (hasCross(model))
         did(Step::Cross);
     if (thicknessesOf(model.document) != m_thicknesses)
         did(Step::Thickness);

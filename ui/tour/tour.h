@@ -12,11 +12,16 @@
 
 namespace fff {
 struct Model;
-}
+struct Section;
+} // namespace fff
 
 namespace fff::ui {
 
 class Workbench;
+
+/// The first section that is large enough to draw another one across it: a line across a hand at
+/// least, and no strip of waste. Null: there is none.
+const Section *bodyOf(const Model &model);
 
 class Tour : public QObject
 {
@@ -41,6 +46,10 @@ public:
     /// It waits for one of the first two sections: what is wrong with one alone is none of its
     /// fault.
     bool isWaitingForSections() const;
+    /// It does so although one has just been drawn, which is too small to go on with.
+    bool isTooSmall() const;
+    /// At the end: nothing was left out.
+    bool hasDoneAll() const { return m_skipped.empty(); }
     /// From 0 on.
     int number() const;
     int count() const { return static_cast<int>(m_steps.size()); }
@@ -67,8 +76,9 @@ private:
     std::vector<Step> m_steps;
     std::size_t m_at = 0;
     bool m_isOn = false;
-    bool m_hadBody = false; // to go on with
-    std::set<Step> m_done;  // also before its turn
+    bool m_hadBody = false;   // to go on with
+    std::set<Step> m_done;    // also before its turn
+    std::set<Step> m_skipped; // of those that are behind; done later, one is taken back
     // As the tour began.
     std::size_t m_operations = 0;
     std::vector<double> m_thicknesses;

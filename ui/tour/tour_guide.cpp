@@ -49,8 +49,18 @@ QString sentenceOf(Tour::Step step)
     return {}; // not reached: every step is above
 }
 
-QString lastWords()
+QString wordsOfSlip()
 {
+    return TourGuide::tr("<b>That one is very small.</b> Undo it, then draw it larger, about half "
+                         "as wide as the view.");
+}
+
+QString lastWords(bool hasDoneAll)
+{
+    if (!hasDoneAll)
+        return TourGuide::tr(
+            "<b>The tour ends here.</b> You can take it again from the <b>Help</b> "
+            "menu. Press <b>F1</b> for more.");
     return TourGuide::tr("<b>That was all of the way,</b> from the first stroke to the file. What "
                          "is red has links under Checks that fix it. Press <b>F1</b> for more.");
 }
@@ -101,7 +111,9 @@ void TourGuide::refreshColours()
 QString TourGuide::sentence() const
 {
     if (m_tour.isDone())
-        return lastWords();
+        return lastWords(m_tour.hasDoneAll());
+    if (m_tour.isTooSmall())
+        return wordsOfSlip();
     const std::vector<Finding> &found = m_checks.all();
     const bool isWrong = std::any_of(found.begin(), found.end(), [](const Finding &finding) {
         return finding.severity == Severity::Error;
@@ -185,9 +197,10 @@ QPolygonF TourGuide::wayOfBody() const
 QPolygonF TourGuide::wayOfSlit() const
 {
     const Model &model = m_bench.session().committed();
-    if (model.sectionCount() == 0)
+    const Section *found = bodyOf(model);
+    if (!found)
         return {};
-    const Section &body = *model.section(0);
+    const Section &body = *found;
     const QPointF centre = seen(worldBounds(*body.shape, body.frame).center());
     double top = centre.y(); // of the body, right above that
     const Polygon outline = body.shape->contour().polygon(kDrawChord);
