@@ -137,6 +137,7 @@ void ActionSet::fill(QToolBar *bar, std::initializer_list<const char *> ids) con
 
 void ActionSet::fill(QMenuBar *bar, const std::function<void(const QString &, QMenu *)> &own)
 {
+    m_window = bar->window();
     QList<QAction *> seen;
     for (const MenuRow &row : menuTable()) {
         const bool isSearched = isSearchedMenu(row);
@@ -185,8 +186,9 @@ void ActionSet::fill(QMenu *menu, const char *key,
     dropDisabled(menu);
 }
 
-void ActionSet::addViewShortcuts(QWidget *view) const
+void ActionSet::addViewShortcuts(QWidget *view)
 {
+    m_view = view;
     for (const Entry &entry : m_actions)
         if (entry.words->isForView)
             view->addAction(entry.action);
@@ -214,6 +216,8 @@ void ActionSet::applyShortcuts()
             settings().shortcuts(action->objectName()).value_or(ownShortcuts(action));
         if (action->shortcuts() != keys)
             action->setShortcuts(keys);
+        if (entry.answer)
+            entry.answer->setShortcuts(keys);
         setTip(action, sentence(action));
     }
 }
@@ -232,18 +236,38 @@ QString ActionSet::sentence(const QAction *action)
 
 void ActionSet::refresh()
 {
-    for (const Entry &entry : qAsConst(m_actions))
+    for (Entry &entry : m_actions)
         show(entry);
 }
 
-void ActionSet::show(const Entry &entry)
+/// Keys of an action that is not seen are dead: another one hears them, and says why.
+void ActionSet::showAnswer(Entry &entry, bool answers)
+{
+    QWidget *where = entry.words->isForView ? m_view : m_window;
+    if (answers && !entry.answer && where) {
+        entry.answer = new QAction(this);
+        entry.answer->setShortcutContext(entry.action->shortcutContext());
+        entry.answer->setShortcuts(entry.action->shortcuts());
+        where->addAction(entry.answer);
+        connect(entry.answer, &QAction::triggered, this, [this, id = std::string(entry.words->id)] {
+            if (const WhyNot whyNot = m_bench.commands().whyNot(id))
+                Q_EMIT refused(messageText(*whyNot));
+        });
+    }
+    if (entry.answer)
+        entry.answer->setEnabled(answers);
+}
+
+void ActionSet::show(Entry &entry)
 {
     const CommandRegistry &commands = m_bench.commands();
     const std::string id = entry.words->id;
     QAction *action = entry.action;
     const WhyNot whyNot = commands.whyNot(id);
     action->setEnabled(!whyNot);
-    action->setVisible(commands.isShown(id));
+    const bool isShown = commands.isShown(id);
+    action->setVisible(isShown);
+    showAnswer(entry, !isShown);
     const std::optional<bool> isOn = commands.isOn(id);
     action->setCheckable(isOn.has_value());
     action->setChecked(isOn.value_or(false));

@@ -41,7 +41,7 @@ public:
     void fill(QMenu *menu, const char *key,
               const std::function<void(const QString &id, QMenu *menu)> &own = {});
     /// Single letters and digits work only while this widget has the focus.
-    void addViewShortcuts(QWidget *view) const;
+    void addViewShortcuts(QWidget *view);
 
     /// Not one that the window has beside the commands: a dock's, a recent file's.
     static bool isOfCommand(const QAction *action);
@@ -55,24 +55,29 @@ public:
 
 Q_SIGNALS:
     void triggered(const QString &id);
+    /// The key of a command that is not shown was pressed; why it is not.
+    void refused(const QString &sentence);
 
 private:
     struct Entry
     {
         QAction *action = nullptr;
         const CommandWords *words = nullptr;
-        QString text; // with its key in the menus
+        QString text;              // with its key in the menus
+        QAction *answer = nullptr; // to its keys, while it is not shown; null: it always was
     };
     void giveKeys(const QList<QAction *> &menu);
     static QMenu *named(QMenu *menu, const MenuRow &row);
     void fill(QMenu *menu, const MenuRow &row,
               const std::function<void(const QString &id, QMenu *menu)> &own) const;
-    void show(const Entry &entry);
+    void show(Entry &entry);
+    void showAnswer(Entry &entry, bool answers);
     void applyShortcuts();
     static void setTip(QAction *action, const QString &sentence);
 
     Workbench &m_bench;
     QHash<QString, Entry> m_actions;
+    QWidget *m_window = nullptr, *m_view = nullptr; // where keys are pressed
 };
 
 } // namespace fff::ui

@@ -7,6 +7,7 @@
 #include "ui/dialogs/stock_words.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/turning_choices.h"
+#include "ui/settings/settings.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>
@@ -22,8 +23,10 @@ ExportRows::ExportRows(StockEdits &stocks, ExportChoices &choices, QWidget *pare
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(makeFit());
-    column->addWidget(makeLayout());
-    column->addWidget(makeCuts());
+    if (!settings().hasSimpleWindow()) { // there these are as they were chosen last, or for all
+        column->addWidget(makeLayout());
+        column->addWidget(makeCuts());
+    }
     PropertyRow::alignLabels(m_rows);
     connect(&stocks, &StockEdits::changed, this, &ExportRows::refresh);
     refresh();

@@ -1,5 +1,5 @@
 // Fit and layout in the Export panel: kerf and clearance of the chosen stock with the slit width
-// that they come to, and how parts lie on their sheets.
+// that they come to, and how parts lie on their sheets; in the simple window fit alone.
 #pragma once
 
 #include <QWidget> // first: moc stumbles over some standard headers

@@ -233,6 +233,7 @@ void MainWindow::makeDocks()
             m_checks->choose(subject);
     });
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
+    connect(m_actions, &ActionSet::refused, m_status, &StatusLine::say);
     connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(m_checks, &ChecksDock::stepsWanted, this,

@@ -3,6 +3,7 @@
 
 #include "core/model/bindings.h"
 #include "tests/test_program.h"
+#include "tests/ui/dialogs/export_hand.h"
 #include "tests/ui/docks/values_hand.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
@@ -11,6 +12,7 @@
 #include "ui/window/main_tool_bar.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolButton>
@@ -36,6 +38,8 @@ private Q_SLOTS:
     void allComesBackAsItWas();
     void valuesAreThereWhereThereAreSome();
     void theBarHasNoEmptyPlaces();
+    void aKeyThatIsOffSaysSo();
+    void exportAsksWhatIsNeeded();
 
 private:
     QStringList seenDocks() const
@@ -168,6 +172,54 @@ void TestSimpleWindow::theBarHasNoEmptyPlaces()
     for (const QAction *action : m_window->findChild<MainToolBar *>()->actions())
         separators += action->isSeparator() && action->isVisible() ? 1 : 0;
     QVERIFY(separators >= 4); // they came back
+}
+
+// Wrong: what a lesson's sheet says is pressed, and nothing at all happens.
+void TestSimpleWindow::aKeyThatIsOffSaysSo()
+{
+    const auto *sentence = m_window->findChild<QLabel *>(QStringLiteral("statusSentence"));
+    const auto says = [sentence] {
+        return sentence->text().contains(QStringLiteral("simple window does without"));
+    };
+    settings().setSimpleWindow(true);
+    m_view->setFocus();
+    for (const auto &[letter, modifiers] :
+         {std::pair(Qt::Key_L, Qt::KeyboardModifiers(Qt::ControlModifier)),
+          std::pair(Qt::Key_W, Qt::KeyboardModifiers())}) { // of the window, and of the view
+        key(Qt::Key_1); // looks from the front: what was said is over
+        key(letter, modifiers);
+        QTRY_VERIFY(says());
+        press(middle());
+        release(middle());
+        QTRY_VERIFY(!says());
+    }
+    settings().setSimpleWindow(false);
+    key(Qt::Key_L, Qt::ControlModifier);
+    QTRY_VERIFY(interaction().tool()); // it is the command's again
+    QVERIFY(!says());
+}
+
+// Wrong: a class reads of lead-ins and bridges before it has cut anything.
+void TestSimpleWindow::exportAsksWhatIsNeeded()
+{
+    session().reset(squareDocument());
+    const auto rows = [this] {
+        QStringList seen;
+        inExportPanel(*m_window, [&seen](QDialog *dialog) {
+            for (const char *name : {"exportMachine", "exportKerf", "exportClearance", "exportFile",
+                                     "exportSpacing", "exportBridges"}) {
+                const auto *row = dialog->findChild<QWidget *>(QLatin1String(name));
+                if (row && row->isVisible())
+                    seen += QLatin1String(name);
+            }
+        });
+        return seen;
+    };
+    QCOMPARE(rows().size(), qsizetype(6));
+    settings().setSimpleWindow(true);
+    QCOMPARE(rows(),
+             (QStringList{QStringLiteral("exportMachine"), QStringLiteral("exportKerf"),
+                          QStringLiteral("exportClearance"), QStringLiteral("exportFile")}));
 }
 
 FFF_TEST_WITH(TestSimpleWindow, runInWindowProgram<TestSimpleWindow>)
