@@ -7,6 +7,7 @@
 #include "ui/base/file_dialog.h"
 #include "ui/base/theme.h"
 #include "ui/settings/settings.h"
+#include "ui/view/heading_weight.h"
 
 #include <QApplication>
 #include <QImage>
@@ -160,6 +161,42 @@ private Q_SLOTS:
             for (const auto role : {QPalette::Button, QPalette::Base, QPalette::Highlight})
                 QCOMPARE(part->palette().color(QPalette::Active, role),
                          theme().palette().color(QPalette::Active, role));
+    }
+
+    void headingsAreHeavier_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("heading");
+        QTest::newRow("English") << "en"
+                                 << "Checks";
+        QTest::newRow("Japanese") << "ja" << QStringLiteral("チェック形状");
+        QTest::newRow("Chinese") << "zh_CN" << QStringLiteral("检查轮廓");
+    }
+
+    /// Wrong: with a font of one weight, headings look as what stands below them.
+    void headingsAreHeavier()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, heading);
+        const QLocale before;
+        QLocale::setDefault(QLocale(language));
+        const auto ink = [&heading](QFont::Weight weight) {
+            QImage image(200, 40, QImage::Format_Grayscale8);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            QFont font = painter.font();
+            font.setPixelSize(20);
+            font.setWeight(weight);
+            painter.setFont(font);
+            painter.drawText(10, 30, heading);
+            int sum = 0;
+            for (int i = 0; i < image.width() * image.height(); ++i)
+                sum += 255 - qGray(image.pixel(i % image.width(), i / image.width()));
+            return sum;
+        };
+        const int plain = ink(QFont::Normal), heavy = ink(headingWeight());
+        QLocale::setDefault(before);
+        QVERIFY2(heavy > 1.1 * plain, qPrintable(QStringLiteral("%1, %2").arg(plain).arg(heavy)));
     }
 
 private:

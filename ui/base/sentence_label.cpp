@@ -1,6 +1,7 @@
 #include "ui/base/sentence_label.h"
 
 #include "ui/base/theme.h"
+#include "ui/view/heading_weight.h"
 
 #include <QPainter>
 
@@ -62,7 +63,7 @@ QFont SentenceLabel::fontOf(Kind kind) const
 {
     QFont f = font();
     if (kind != Kind::Plain)
-        f.setWeight(QFont::DemiBold);
+        f.setWeight(headingWeight());
     if (kind == Kind::Key && f.pointSizeF() > 0)
         f.setPointSizeF(f.pointSizeF() * 0.85);
     return f;

@@ -2,6 +2,7 @@
 
 #include "ui/settings/settings.h"
 #include "ui/settings/system_wishes.h"
+#include "ui/view/heading_weight.h"
 
 #include <QFile>
 #include <QGuiApplication>
@@ -201,6 +202,7 @@ QString Theme::styleSheet() const
     };
     for (const auto &[name, colour] : names)
         sheet.replace(name, colour.name());
+    sheet.replace(QStringLiteral("@heading"), QString::number(headingWeight()));
     return sheet;
 }
 

@@ -3,6 +3,7 @@
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/dialogs/libraries.h"
+#include "ui/view/heading_weight.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -50,7 +51,7 @@ QWidget *AboutDialog::makeHead()
     auto *name = new QLabel(tr("FlatFitFab %1").arg(QStringLiteral(FFF_VERSION)), head);
     QFont font = name->font();
     font.setPointSizeF(font.pointSizeF() * 1.5);
-    font.setWeight(QFont::DemiBold);
+    font.setWeight(headingWeight());
     name->setFont(font);
     auto *words = new QLabel(
         tr("Draw flat parts in 3D, see at once how they fit, and cut them. It works without an "

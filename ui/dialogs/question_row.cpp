@@ -1,5 +1,7 @@
 #include "ui/dialogs/question_row.h"
 
+#include "ui/view/heading_weight.h"
+
 #include <QGridLayout>
 #include <QLabel>
 
@@ -19,7 +21,7 @@ QuestionRow::QuestionRow(const QString &question, QWidget *parent)
     m_number->setFixedSize(kBadgeSize, kBadgeSize);
     auto *title = new QLabel(question, this);
     QFont bold = title->font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     title->setFont(bold);
     m_answers->setSpacing(4);
     auto *grid = new QGridLayout(this);

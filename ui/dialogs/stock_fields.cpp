@@ -17,6 +17,7 @@
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
+#include "ui/view/heading_weight.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -54,7 +55,7 @@ StockFields::StockFields(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_name->setObjectName(QStringLiteral("stockName"));
     m_name->setAccessibleName(tr("Name"));
     QFont bold = m_name->font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     m_name->setFont(bold);
     m_uses = new QLabel(this);
     m_uses->setObjectName(QStringLiteral("stockUses"));

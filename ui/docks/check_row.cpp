@@ -3,6 +3,7 @@
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/properties/link_row.h"
+#include "ui/view/heading_weight.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -40,7 +41,7 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     m_glyph->setFixedSize(kGlyphSize + 2, kGlyphSize + 2);
     m_title = label(this);
     QFont bold = font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     m_title->setFont(bold);
     m_title->setObjectName(QStringLiteral("checkTitle"));
     m_text = label(this);

@@ -9,6 +9,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
+#include "ui/view/heading_weight.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -62,7 +63,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_name = new QLabel(this);
     m_name->setObjectName(QStringLiteral("drawnName"));
     QFont bold = m_name->font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     m_name->setFont(bold);
     m_kind = new QLabel(this);
     m_kind->setObjectName(QStringLiteral("drawnKind"));

@@ -5,6 +5,7 @@
 #include "ui/base/theme.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
+#include "ui/view/heading_weight.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -44,7 +45,7 @@ protected:
     {
         QStyledItemDelegate::initStyleOption(option, index);
         if (index.row() == m_history.index())
-            option->font.setWeight(QFont::DemiBold);
+            option->font.setWeight(headingWeight());
         if (index.row() > m_history.index())
             option->palette.setColor(QPalette::Text, theme().muted);
         // Words stand in one line whether a step is the saved one or not.

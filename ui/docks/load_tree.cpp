@@ -5,6 +5,7 @@
 #include "ui/bench/load_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/outline_marks.h"
+#include "ui/view/heading_weight.h"
 
 #include <QHeaderView>
 #include <QLabel>
@@ -36,7 +37,7 @@ LoadTree::LoadTree(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench
     m_title = new QLabel(this);
     m_title->setObjectName(QStringLiteral("loadsTitle"));
     QFont bold = m_title->font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     m_title->setFont(bold);
     m_title->setContentsMargins(10, 6, 8, 4);
     m_title->setForegroundRole(QPalette::PlaceholderText);

@@ -8,6 +8,7 @@
 #include "ui/base/theme.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/outline_marks.h"
+#include "ui/view/heading_weight.h"
 
 #include <QApplication>
 #include <QDropEvent>
@@ -81,7 +82,7 @@ OperationTree::OperationTree(Workbench &bench, QWidget *parent) : QWidget(parent
     auto *title = new QLabel(tr("Operations, in order"), this);
     title->setObjectName(QStringLiteral("operationsTitle"));
     QFont bold = title->font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     title->setFont(bold);
     title->setContentsMargins(10, 6, 8, 4);
     title->setForegroundRole(QPalette::PlaceholderText);

@@ -12,6 +12,7 @@
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/joint_words.h"
+#include "ui/view/heading_weight.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -41,7 +42,7 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
     m_name->setObjectName(QStringLiteral("propertiesName"));
     m_name->setAccessibleName(tr("Name"));
     QFont bold = m_name->font();
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     m_name->setFont(bold);
     m_title = new QLabel(this);
     m_title->setObjectName(QStringLiteral("propertiesTitle"));

@@ -1,5 +1,6 @@
 #include "ui/help/keys_list.h"
 
+#include "ui/view/heading_weight.h"
 #include "ui/view/steps_paper.h"
 
 #include <QAction>
@@ -54,7 +55,7 @@ public:
         m_plain = painter.font();
         m_plain.setPointSizeF(points);
         m_bold = m_plain;
-        m_bold.setWeight(QFont::DemiBold);
+        m_bold.setWeight(headingWeight());
     }
 
     static double mm(double length) { return length * kDotsPerInch / 25.4; }
@@ -161,7 +162,7 @@ bool writeCheatSheet(const QString &path, const QList<KeyGroup> &groups)
     QRectF room(0.0, 0.0, writer.width(), writer.height());
     QFont title = painter.font();
     title.setPointSizeF(16.0);
-    title.setWeight(QFont::DemiBold);
+    title.setWeight(headingWeight());
     painter.setFont(title);
     const double head = Sheet::mm(10.0);
     painter.drawText(QRectF(0.0, 0.0, room.width(), head), Qt::AlignLeft | Qt::AlignTop,

@@ -1,5 +1,7 @@
 #include "ui/properties/segmented_box.h"
 
+#include "ui/view/heading_weight.h"
+
 #include <QAbstractButton>
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -70,7 +72,7 @@ void SegmentedBox::setSpoken(const QString &name)
 int SegmentedBox::widthOf(const QStringList &texts, const QFont &font)
 {
     QFont bold = font; // as the chosen one is
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     int width = 0;
     for (const QString &text : texts)
         width += QFontMetrics(bold).horizontalAdvance(text) + 2 * kBeside;

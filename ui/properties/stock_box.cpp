@@ -6,6 +6,7 @@
 #include "ui/properties/driven_field.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
+#include "ui/view/heading_weight.h"
 #include "ui/view/view_style.h"
 
 #include <QActionGroup>
@@ -112,7 +113,7 @@ void StockBox::fillMenu()
         action->setIconVisibleInMenu(true);
         if (stocks[i].id == document.currentStock) {
             QFont bold = m_menu->font();
-            bold.setWeight(QFont::DemiBold);
+            bold.setWeight(headingWeight());
             action->setFont(bold);
         }
         connect(action, &QAction::triggered, this,

@@ -7,6 +7,7 @@
 #include "ui/cards/model_card.h"
 #include "ui/settings/settings.h"
 #include "ui/start/samples.h"
+#include "ui/view/heading_weight.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -76,7 +77,7 @@ QWidget *StartPage::makeLeft()
     begin->setIconSize({24, 24});
     QFont font = begin->font();
     font.setPixelSize(kHeadingSize - 4);
-    font.setWeight(QFont::DemiBold);
+    font.setWeight(headingWeight());
     begin->setFont(font);
     setFocusProxy(begin);
     auto *tour = new QPushButton(tr("Your first model in 3 minutes"), left);
@@ -157,7 +158,7 @@ QLabel *StartPage::makeHeading(const QString &text)
     auto *heading = new QLabel(text, this);
     QFont font = heading->font();
     font.setPixelSize(kHeadingSize);
-    font.setWeight(QFont::DemiBold);
+    font.setWeight(headingWeight());
     heading->setFont(font);
     return heading;
 }

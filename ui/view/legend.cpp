@@ -1,6 +1,7 @@
 #include "ui/view/legend.h"
 
 #include "core/interaction/view_cube.h"
+#include "ui/view/heading_weight.h"
 #include "ui/view/stress_colours.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ double paintLegend(MarkPen &pen, const Legend &legend)
     QFont font = painter.font();
     font.setPixelSize(12);
     QFont bold = font;
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
 
     const QPointF corner = underCube(pen.viewport());
     const double head = kTitleRow + (legend.heads.isEmpty() ? 0.0 : kHeadRow);

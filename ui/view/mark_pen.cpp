@@ -1,5 +1,7 @@
 #include "ui/view/mark_pen.h"
 
+#include "ui/view/heading_weight.h"
+
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -103,7 +105,7 @@ QFont MarkPen::fontOf(const Chip &chip) const
 {
     QFont font = m_painter.font();
     font.setPixelSize(12);
-    font.setWeight(chip.isFramed ? QFont::DemiBold : QFont::Normal);
+    font.setWeight(chip.isFramed ? headingWeight() : QFont::Normal);
     return font;
 }
 

@@ -14,6 +14,7 @@ target_sources(fff_view PRIVATE
     view/ground_painter.cpp
     view/guide_marks.cpp
     view/ground_shadow.cpp
+    view/heading_weight.cpp
     view/joint_marks.cpp
     view/layers.cpp
     view/occlusion.cpp

@@ -1,5 +1,7 @@
 #include "ui/view/step_marks.h"
 
+#include "ui/view/heading_weight.h"
+
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -122,7 +124,7 @@ void paintSteps(MarkPen &pen, const StepMarks &marks, const QLocale &locale)
     for (const bool isMoving : {true, false}) {
         QFont font = pen.painter().font();
         font.setPixelSize(static_cast<int>(isMoving ? kMovingLabel : kLabel));
-        font.setWeight(isMoving ? QFont::Bold : QFont::DemiBold);
+        font.setWeight(isMoving ? QFont::Bold : headingWeight());
         for (const StepMarks::Number &number : marks.numbers) {
             if (number.isMoving != isMoving)
                 continue;

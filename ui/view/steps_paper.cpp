@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
+#include "ui/view/heading_weight.h"
 #include "ui/view/steps_page_data.h"
 
 #include <QCoreApplication>
@@ -182,7 +183,7 @@ bool StepsPaper::makePiece(int index)
 bool StepsPaper::titlePage()
 {
     beginPage();
-    double y = text(m_room, m_options.title, font(26.0, QFont::DemiBold), kText) + 2.0;
+    double y = text(m_room, m_options.title, font(26.0, headingWeight()), kText) + 2.0;
     const QRectF below(0.0, y, m_room.width(), 20.0);
     y += text(below, StepsPaperTexts::tr("How it goes together"), font(14.0), kMuted) + 6.0;
 
@@ -195,7 +196,7 @@ bool StepsPaper::titlePage()
     y += height + 6.0;
 
     const Model &model = m_steps.analysis->model;
-    y += text(QRectF(0.0, y, width, 20.0), factsText(m_steps), font(12.0, QFont::DemiBold), kText) +
+    y += text(QRectF(0.0, y, width, 20.0), factsText(m_steps), font(12.0, headingWeight()), kText) +
          2.0;
     std::set<StockId> stocks;
     for (const Part &part : m_parts) {
@@ -236,7 +237,7 @@ bool StepsPaper::step(int index)
     QRectF words(picture.right() + kGap, top + 4.0, m_room.width() - picture.right() - kGap,
                  height - 8.0);
     words.setTop(words.top() +
-                 text(words, QLocale().toString(index + 1), font(22.0, QFont::DemiBold), kAccent) +
+                 text(words, QLocale().toString(index + 1), font(22.0, headingWeight()), kAccent) +
                  1.0);
     words.setTop(words.top() + text(words, stepSentence(m_steps, index), font(10.5), kText) + 3.0);
     outlines(words, m_steps.playback.plan().steps[static_cast<std::size_t>(index)].parts);

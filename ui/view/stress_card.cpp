@@ -2,6 +2,7 @@
 
 #include "core/analysis/weak_place.h"
 #include "core/session/message_text.h"
+#include "ui/view/heading_weight.h"
 #include "ui/view/stress_marks.h"
 
 #include <QCoreApplication>
@@ -217,7 +218,7 @@ void paintStressCard(MarkPen &pen, const Analysis &analysis, const StressLine &l
     QFont font = painter.font();
     font.setPixelSize(12);
     QFont bold = font;
-    bold.setWeight(QFont::DemiBold);
+    bold.setWeight(headingWeight());
     const std::vector<StressRow> rows = stressRows(line, locale);
     const QString last = breaksFirst(line);
     const double lastHeight =

@@ -1,5 +1,7 @@
 #include "ui/view/view_cube_painter.h"
 
+#include "ui/view/heading_weight.h"
+
 #include <QCoreApplication>
 #include <QPainterPath>
 
@@ -87,7 +89,7 @@ void paintViewCube(QPainter &painter, const Eigen::Quaterniond &orientation, con
         const QString text = faceText(face.part);
         QFont font = painter.font();
         font.setPixelSize(12);
-        font.setWeight(QFont::DemiBold);
+        font.setWeight(headingWeight());
         const double width = QFontMetricsF(font).horizontalAdvance(text);
         const double scale = std::min(1.0, kTextRoom * kCubeEdge / std::max(width, 1.0));
         painter.scale(scale, scale);

@@ -4,6 +4,7 @@
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
 #include "ui/settings/settings.h"
+#include "ui/view/heading_weight.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -65,7 +66,7 @@ QFont Badge::words() const
 {
     QFont f = font();
     if (m_content.severity == Severity::Error)
-        f.setWeight(QFont::DemiBold);
+        f.setWeight(headingWeight());
     f.setItalic(m_content.isOlder);
     return f;
 }
@@ -80,7 +81,7 @@ int Badge::widthWhen(bool isFolded) const
     if (isFolded)
         return kGlyph + 2 * 8;
     QFont widest = font(); // so that turning bad moves no neighbour
-    widest.setWeight(QFont::DemiBold);
+    widest.setWeight(headingWeight());
     return kMargin + kGlyph + kGap + QFontMetrics(widest).horizontalAdvance(m_content.title) +
            kMargin + 2;
 }

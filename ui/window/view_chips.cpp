@@ -4,6 +4,7 @@
 #include "ui/base/theme.h"
 #include "ui/bench/skin_picture.h"
 #include "ui/bench/workbench.h"
+#include "ui/view/heading_weight.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
@@ -39,7 +40,7 @@ void ViewChip::say(const QString &words, const QString &tip)
 QFont ViewChip::words() const
 {
     QFont f = font();
-    f.setWeight(QFont::DemiBold);
+    f.setWeight(headingWeight());
     return f;
 }
 
