@@ -1,0 +1,172 @@
+// Every page, bar and dialog, for who does not see it, or not well: all that takes the focus or is
+// clicked has a name for screen readers, and all words stand out from what they stand on.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "tests/test_program.h"
+#include "tests/ui/contrast.h"
+#include "tests/ui/every_page.h"
+#include "tests/ui/shown_ink.h"
+#include "ui/base/theme.h"
+
+#include <QAccessible>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+namespace {
+
+constexpr double kLeastContrast = 4.5; // WCAG 2.1, AA, for text
+constexpr QSize kUsualSize(1440, 900);
+
+QString whereIs(const QWidget &widget)
+{
+    QStringList names{QLatin1String(widget.metaObject()->className())};
+    for (const QWidget *of = &widget; of && names.size() < 4; of = of->parentWidget())
+        if (!of->objectName().isEmpty())
+            names += of->objectName();
+    return names.join(QStringLiteral(" in "));
+}
+
+/// Parts that Qt makes within a widget of its own are told of as that one.
+bool isPartOfAnother(const QWidget &widget)
+{
+    if (widget.focusProxy() || widget.objectName().startsWith(QStringLiteral("qt_")))
+        return true;
+    const QWidget *parent = widget.parentWidget();
+    return qobject_cast<const QAbstractSpinBox *>(parent) ||
+           qobject_cast<const QComboBox *>(parent) ||
+           (qobject_cast<const QAbstractScrollArea *>(parent) &&
+            static_cast<const QAbstractScrollArea *>(parent)->viewport() == &widget);
+}
+
+/// What has to have a name and has none.
+QStringList unnamed(const QWidget &top)
+{
+    QStringList found;
+    for (QWidget *widget : top.findChildren<QWidget *>()) {
+        const bool isUsed =
+            widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton *>(widget);
+        if (!isUsed || !widget->isVisible() || widget->window() != top.window() ||
+            isPartOfAnother(*widget))
+            continue;
+        const QAccessibleInterface *told = QAccessible::queryAccessibleInterface(widget);
+        if (!told || told->text(QAccessible::Name).trimmed().isEmpty())
+            found += QStringLiteral("%1 has no name").arg(whereIs(*widget));
+    }
+    return found;
+}
+
+/// Cells that are only a sign.
+QStringList unnamedCells(const QWidget &top)
+{
+    QStringList found;
+    for (const QAbstractItemView *view : top.findChildren<QAbstractItemView *>()) {
+        if (!view->isVisible() || view->window() != top.window())
+            continue;
+        const QAbstractItemModel *model = view->model();
+        for (int row = 0; model && row < std::min(20, model->rowCount(view->rootIndex())); ++row)
+            for (int column = 0; column < model->columnCount(view->rootIndex()); ++column) {
+                const QModelIndex cell = model->index(row, column, view->rootIndex());
+                const bool isSeen =
+                    !view->visualRect(cell).isEmpty() && !cell.data(Qt::DecorationRole).isNull();
+                if (isSeen && cell.data(Qt::DisplayRole).toString().isEmpty() &&
+                    cell.data(Qt::AccessibleTextRole).toString().isEmpty())
+                    found += QStringLiteral("column %1 of %2 has no words")
+                                 .arg(column)
+                                 .arg(whereIs(*view));
+            }
+    }
+    return found;
+}
+
+} // namespace
+
+class TestEverythingIsTold : public QObject, private EveryPage
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_found.clear(); }
+    void cleanup() { closeAll(); }
+
+    /// Wrong: a screen reader says "button".
+    void itHasAName_data();
+    void itHasAName();
+    void wordsCanBeRead_data();
+    void wordsCanBeRead();
+
+private:
+    using EveryPage::look;
+    void look(const QString &state, QWidget &top) override;
+    void tell();
+
+    std::function<QStringList(QWidget &)> m_wrong;
+    std::map<QString, QString> m_found; // what is wrong, and where it was seen first
+};
+
+void TestEverythingIsTold::look(const QString &state, QWidget &top)
+{
+    unfold(top);
+    QTest::qWait(30);
+    for (const QString &wrong : m_wrong(top))
+        m_found.emplace(wrong, state);
+}
+
+void TestEverythingIsTold::tell()
+{
+    for (const auto &[wrong, state] : m_found)
+        qWarning("%s: %s", qPrintable(state), qPrintable(wrong));
+    QVERIFY2(m_found.empty(), qPrintable(QStringLiteral("%1 are wrong").arg(m_found.size())));
+}
+
+void TestEverythingIsTold::itHasAName_data()
+{
+    QTest::addColumn<QString>("language");
+    for (const char *language : {"en", "ja"})
+        QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+void TestEverythingIsTold::itHasAName()
+{
+    QFETCH(QString, language);
+    m_wrong = [](QWidget &top) { return unnamed(top) + unnamedCells(top); };
+    openWith(language, kUsualSize);
+    showPages();
+    showOperations();
+    showDialogs();
+    tell();
+}
+
+void TestEverythingIsTold::wordsCanBeRead_data()
+{
+    QTest::addColumn<int>("scheme");
+    QTest::newRow("light") << static_cast<int>(ColourScheme::Light);
+    QTest::newRow("dark") << static_cast<int>(ColourScheme::Dark);
+    QTest::newRow("high contrast") << static_cast<int>(ColourScheme::HighContrast);
+}
+
+// Wrong: a word is a shade of its ground, whatever its palette says.
+void TestEverythingIsTold::wordsCanBeRead()
+{
+    QFETCH(int, scheme);
+    m_wrong = [](QWidget &top) {
+        QStringList faint;
+        for (const ShownInk &ink : inkOf(top))
+            if (const double told = contrast(ink.words, ink.ground); told < kLeastContrast)
+                faint += QStringLiteral("%1 “%2”: %3 on %4 is %5 to 1")
+                             .arg(whereIs(*ink.widget), ink.text.left(40), ink.words.name(),
+                                  ink.ground.name())
+                             .arg(told, 0, 'f', 2);
+        return faint;
+    };
+    openWith(QStringLiteral("en"), kUsualSize);
+    settings().setColourScheme(static_cast<ColourScheme>(scheme));
+    QTest::qWait(50);
+    showPages();
+    showDialogs();
+    tell();
+}
+
+FFF_TEST_WITH(TestEverythingIsTold, runOnLargeScreen<TestEverythingIsTold>)
+#include "tst_everything_is_told.moc"
