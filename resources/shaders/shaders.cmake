@@ -11,6 +11,8 @@ qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR}
     ${CMAKE_CURRENT_LIST_DIR}/field.vert
     ${CMAKE_CURRENT_LIST_DIR}/ground.frag
     ${CMAKE_CURRENT_LIST_DIR}/ground.vert
+    ${CMAKE_CURRENT_LIST_DIR}/marks.frag
+    ${CMAKE_CURRENT_LIST_DIR}/marks.vert
     ${CMAKE_CURRENT_LIST_DIR}/occlusion.frag
     ${CMAKE_CURRENT_LIST_DIR}/occlusion_apply.frag
     ${CMAKE_CURRENT_LIST_DIR}/occlusion_blur.frag

@@ -198,9 +198,12 @@ void Viewport::paintGL()
         m_tidy.start();
     }
     paintMarks();
+    if (m_isUsable) {
+        m_renderer.drawOver(m_marks);
+        return;
+    }
     QPainter painter(this);
-    if (!m_isUsable)
-        painter.fillRect(rect(), theme().viewStyle().bottom);
+    painter.fillRect(rect(), theme().viewStyle().bottom);
     painter.drawImage(QPointF(0.0, 0.0), m_marks);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/view/renderer.h"
 
 #include "ui/view/ground_painter.h"
+#include "ui/view/marks_over.h"
 #include "ui/view/occlusion.h"
 #include "ui/view/section_passes.h"
 #include "ui/view/template_painter.h"
@@ -54,7 +55,7 @@ public:
     explicit Private(Gl &functions)
         : gl(functions), background(loadProgram("screen", "background")),
           copy(loadProgram("screen", "copy")), pass(gl), slabs(gl), sections(gl, pass, slabs),
-          things(gl), templates(gl), flats(gl), ground(gl, pass), occlusion(gl, pass),
+          things(gl), templates(gl), flats(gl), ground(gl, pass), occlusion(gl, pass), over(gl),
           picture(gl, GL_RGBA8, true, GL_LINEAR), rest(gl, GL_RGBA8, true, GL_LINEAR),
           shown(gl, GL_RGBA8, true, GL_LINEAR)
     {
@@ -62,7 +63,8 @@ public:
     bool isReady() const
     {
         return background && copy && sections.isReady() && things.isReady() &&
-               templates.isReady() && flats.isReady() && ground.isReady() && occlusion.isReady();
+               templates.isReady() && flats.isReady() && ground.isReady() && occlusion.isReady() &&
+               over.isReady();
     }
 
     void look(const Scene &scene, const Camera &camera, const Vec2 &viewport, double ratio,
@@ -84,6 +86,7 @@ public:
     FlatPainter flats;
     GroundPainter ground;
     Occlusion occlusion;
+    MarksOver over;
 
     RenderTarget picture; // what is opaque, smooth: at a higher resolution than is shown
     RenderTarget rest;    // with what lets light through, whose edges are smooth by themselves
@@ -190,6 +193,12 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
     gl.glDisable(GL_BLEND);
     gl.glBindVertexArray(0);
     gl.glUseProgram(0);
+}
+
+void Renderer::drawOver(const QImage &marks)
+{
+    if (d)
+        d->over.draw(marks);
 }
 
 /// Resolution, depth range and grid from what is there to see.

@@ -8,6 +8,8 @@
 #include "ui/view/scene.h"
 #include "ui/view/view_style.h"
 
+#include <QImage>
+
 #include <memory>
 
 namespace fff::ui {
@@ -27,6 +29,10 @@ public:
     /// What was drawn last is kept: another frame that differs in its outlines only costs little.
     void render(const Scene &scene, const Camera &camera, const Vec2 &viewport, double pixelRatio,
                 const ViewStyle &style, const RenderOptions &options = {});
+
+    /// Brings over it what was painted: ARGB32_Premultiplied, as many pixels as the framebuffer
+    /// has.
+    void drawOver(const QImage &marks);
 
     /// The picture rests: gives back what only drawing another one needs. What is seen stays, and
     /// so does what outlines are drawn over. With the context current.

@@ -23,6 +23,7 @@ target_sources(fff_view PRIVATE
     view/mark_buffers.cpp
     view/measure_marks.cpp
     view/mark_pen.cpp
+    view/marks_over.cpp
     view/moved_scene.cpp
     view/offscreen_image.cpp
     view/operation_marks.cpp

@@ -4,6 +4,7 @@
 #include "core/interaction/view_fit.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
+#include "ui/view/marks_over.h"
 #include "ui/view/renderer.h"
 
 #include <QGuiApplication>
@@ -11,6 +12,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
+#include <QPainter>
 
 #include <algorithm>
 
@@ -112,6 +114,7 @@ private Q_SLOTS:
     void coarseAcrylicHasItsTone();
     void tidyingChangesNothingSeen_data();
     void tidyingChangesNothingSeen();
+    void marksLieOverIt();
     void aNewShadowChangesNothingElse_data();
     void aNewShadowChangesNothingElse();
     void aNewContextDrawsTheSame();
@@ -463,6 +466,47 @@ void TestRenderer::tidyingChangesNothingSeen()
     QCOMPARE(differing(paint(scene, turned), other), 0);
     m_renderer->tidy();
     QCOMPARE(differing(paint(scene, camera), plain), 0);
+}
+
+/// Wrong: a mark is left out, stands on its head, or is blended otherwise than QPainter does.
+void TestRenderer::marksLieOverIt()
+{
+    const Scene scene = sceneOf(twoSections(plate(), front(), plate(), side()));
+    const Camera camera = named(scene, "iso1");
+    QImage marks(kSide, kSide, QImage::Format_ARGB32_Premultiplied);
+    marks.fill(Qt::transparent);
+    QPainter painter(&marks);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(3, 5, 40, 20, QColor(200, 30, 30));
+    painter.fillRect(kSide - 1, kSide - 1, 1, 1, QColor(30, 200, 30)); // the last corner
+    painter.setPen(QPen(QColor(20, 20, 220, 120), 3.0));
+    painter.drawLine(0, kSide / 2, kSide / 3, kSide / 4);
+    painter.end();
+    QOpenGLFramebufferObject target(kSide, kSide);
+    target.bind();
+    QImage expected = paint(scene, camera);
+    QPainter over(&expected);
+    over.drawImage(0, 0, marks);
+    over.end();
+    target.bind();
+    m_renderer->render(scene, camera, kViewport, 1.0, ViewStyle());
+    m_renderer->drawOver(marks);
+    const QImage seen = target.toImage().convertToFormat(QImage::Format_RGB32);
+    int worst = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const QColor a = seen.pixelColor(i % kSide, i / kSide),
+                     b = expected.pixelColor(i % kSide, i / kSide);
+        worst = std::max({worst, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+                          std::abs(a.blue() - b.blue())});
+    }
+    QVERIFY2(worst <= 1, qPrintable(QString::number(worst))); // rounding
+    std::vector<QRect> parts = paintedParts(marks);
+    qint64 area = 0;
+    for (const QRect &part : parts)
+        area += qint64(part.width()) * part.height();
+    QVERIFY(!parts.empty() && area < kSide * kSide / 2); // of what is empty nothing is drawn
+    marks.fill(Qt::transparent);
+    QVERIFY(paintedParts(marks).empty());
 }
 
 void TestRenderer::aNewShadowChangesNothingElse_data()
