@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QHelpEvent>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QStandardItemModel>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
@@ -22,22 +23,34 @@ constexpr int kBesideChip = 4;
 /// the text so far in, px.
 constexpr int kShort = 3, kInset = 1;
 
+/// One for all rows of a colour: a list of sections has hundreds of them.
+QPixmap chipPixmap(const QColor &colour, int scale)
+{
+    constexpr int kSize = 14; // px
+    const QString key = QStringLiteral("fff/chip/%1/%2").arg(colour.rgba(), 8, 16).arg(scale);
+    QPixmap pixmap;
+    if (QPixmapCache::find(key, &pixmap))
+        return pixmap;
+    pixmap = QPixmap(kSize * scale, kSize * scale);
+    pixmap.setDevicePixelRatio(scale);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour.darker(160), 1.0));
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(1.5, 1.5, kSize - 3.0, kSize - 3.0), 2.0, 2.0);
+    painter.end();
+    QPixmapCache::insert(key, pixmap);
+    return pixmap;
+}
+
 } // namespace
 
 QIcon colourChip(const QColor &colour)
 {
-    constexpr int kSize = 14; // px
     QIcon icon;
-    for (int scale : {1, 2, 3}) {
-        QPixmap pixmap(kSize * scale, kSize * scale);
-        pixmap.setDevicePixelRatio(scale);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(colour.darker(160), 1.0));
-        painter.setBrush(colour);
-        painter.drawRoundedRect(QRectF(1.5, 1.5, kSize - 3.0, kSize - 3.0), 2.0, 2.0);
-        painter.end();
+    for (const int scale : {1, 2, 3}) {
+        const QPixmap pixmap = chipPixmap(colour, scale);
         icon.addPixmap(pixmap);
         icon.addPixmap(pixmap, QIcon::Selected); // not tinted
     }
