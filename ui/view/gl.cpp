@@ -42,6 +42,9 @@ std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char
         qWarning("Shader %s/%s: %s", vertex, fragment, qPrintable(program->log()));
         return nullptr;
     }
+    // What it was made of is not needed any more, and takes more room than itself.
+    program->removeAllShaders();
+    program->link(); // finds that it is
     return program;
 }
 

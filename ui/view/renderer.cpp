@@ -7,6 +7,8 @@
 #include "ui/view/template_painter.h"
 #include "ui/view/thing_painter.h"
 
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QOpenGLVersionFunctionsFactory>
 
 #include <algorithm>
@@ -112,6 +114,7 @@ bool Renderer::initialize()
     d = std::make_unique<Private>(*gl);
     if (!d->isReady())
         d.reset();
+    context->functions()->glReleaseShaderCompiler(); // there is nothing more to compile
     return d != nullptr;
 }
 
