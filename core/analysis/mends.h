@@ -48,6 +48,12 @@ struct Mends
     /// What can be done about the finding, or about the same verdict on another model; null where
     /// that is not known.
     const std::vector<Mend> *of(const Finding &finding) const;
+    /// A second model with all that was worked out about it, as the last trial left it.
+    void tidy() const
+    {
+        if (trials)
+            trials->forget();
+    }
 };
 
 inline constexpr StageOf<Mends> kMends{"mends"};

@@ -116,6 +116,9 @@ struct Stage
         compute;
     /// What is wrong with the model by a result of it; null for one that says nothing of that.
     const std::vector<Finding> &(*findings)(const void *result) = nullptr;
+    /// Gives back what a result keeps only to save work the next time; null where it keeps little.
+    /// While no run of the stage is under way.
+    void (*tidy)(const void *result) = nullptr;
     /// What is said in their place when it fails.
     const FindingKind *failing = &kNotWorkedOut;
     /// The name of a stage that it works out better, or empty: its findings, where it has some,
@@ -143,7 +146,8 @@ Message workOf(const Stage &stage, double share);
 /// The stage of a function
 ///     Result<Out> compute(const Snapshot &, const Out *previous, Progress &, std::stop_token)
 /// whose result follows from the snapshot alone; `previous` is there to save work. The `findings`
-/// of a result, where it has such, are listed among the checks.
+/// of a result, where it has such, are listed among the checks; its tidy(), where it has one, is
+/// Stage::tidy.
 template <class Out, class Compute>
 Stage makeStage(const StageOf<Out> &stage, Text title, std::vector<std::string_view> inputs,
                 Stage::Runs runs, Compute compute)
@@ -161,6 +165,8 @@ Stage makeStage(const StageOf<Out> &stage, Text title, std::vector<std::string_v
         made.findings = [](const void *result) -> const std::vector<Finding> & {
             return static_cast<const Out *>(result)->findings;
         };
+    if constexpr (requires(const Out &out) { out.tidy(); })
+        made.tidy = [](const void *result) { static_cast<const Out *>(result)->tidy(); };
     return made;
 }
 

@@ -29,6 +29,8 @@ public:
     /// Nothing where a stage fails, or is stopped: what cannot be judged is not offered. An edit
     /// after another one costs the work of what differs between the two.
     std::optional<Outcome> of(Model model, const CheckRules &rules, std::stop_token stop);
+    /// What is kept of the trial before: the next one costs the work of the whole model.
+    void forget() { m_before.clear(); }
 
 private:
     std::vector<Stage> m_stages; // in the order in which they run
@@ -44,8 +46,8 @@ struct Burden
 };
 
 /// Whether nothing is worse: no badge, no kind of problem of joints or of what holds together, and
-/// none of what is said of the same sections before and after. What is amber has to keep its distance from red, but for a
-/// tenth of it; and a loss is none to be had for anything.
+/// none of what is said of the same sections before and after. What is amber has to keep its
+/// distance from red, but for a tenth of it; and a loss is none to be had for anything.
 bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after);
 /// Whether what it says has gone, or become less, and less is wrong with what it is about.
 bool helps(const Finding &finding, std::span<const Finding> before, std::span<const Finding> after);

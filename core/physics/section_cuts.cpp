@@ -366,6 +366,8 @@ SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_sha
     for (const ReentrantCorner &corner : m_shape.corners)
         maker.addLigament(corner);
     m_isPinched = maker.isPinched();
+    m_cuts.shrink_to_fit(); // kept for as long as the piece is
+    m_samples.shrink_to_fit();
     m_thinnest = thinnestOf(m_shape, m_cuts, m_samples);
 }
 

@@ -178,6 +178,16 @@ void Scheduler::finish()
         finish(stage.name);
 }
 
+void Scheduler::tidy()
+{
+    const auto runs = [](const Private::Desk &desk) { return desk.isRunning; };
+    if (std::any_of(d->desks.begin(), d->desks.end(), runs))
+        return;
+    for (const Private::Desk &desk : d->desks)
+        if (desk.stage->tidy && desk.previous)
+            desk.stage->tidy(desk.previous.get());
+}
+
 const std::vector<Stage> &Scheduler::stages() const
 {
     return d->stages;

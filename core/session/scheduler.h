@@ -77,6 +77,10 @@ public:
     void finish(std::string_view stage);
     void finish();
 
+    /// Nobody does anything: gives back what stages keep only to be faster the next time, unless
+    /// one runs. Results stay.
+    void tidy();
+
     const std::vector<Stage> &stages() const;
     /// Makes a stage do something else: for tests, while none of its runs is under way.
     void setCompute(std::string_view stage, decltype(Stage::compute) compute);

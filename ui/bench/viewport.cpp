@@ -98,6 +98,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
             m_renderer.tidy();
             doneCurrent();
         }
+        m_bench.session().scheduler().tidy();
         giveBackSpareMemory();
     });
     once(m_busyWait, [this] { m_busyTurn.start(kBusyFrame); });

@@ -113,6 +113,7 @@ private Q_SLOTS:
     void agesAreSaid();
     void isGoneWhileAStageRuns();
     void whatNobodyWantsDoesNotRun();
+    void tidyingForgetsWhatOnlySavesWork();
     void randomEditsWithCancels();
 };
 
@@ -362,6 +363,40 @@ void TestScheduler::whatNobodyWantsDoesNotRun()
     QVERIFY(!scheduler.result(kDoubled));
 }
 
+/// Its result stays; while something runs nothing is taken from it.
+void TestScheduler::tidyingForgetsWhatOnlySavesWork()
+{
+    struct Keeping
+    {
+        int sections = 0;
+        std::shared_ptr<std::optional<int>> memory = {}; // of the time before
+        void tidy() const { memory->reset(); }
+    };
+    constexpr StageOf<Keeping> kKeeping{"keeping"};
+    Solver solver;
+    std::vector<Stage> stages = stagesWith(solver);
+    stages.push_back(
+        makeStage(kKeeping, FFF_TEXT("Stage", "Keeping"), {kModel.name}, Stage::Runs::Always,
+                  [](const Snapshot &snapshot, const Keeping *, Progress &,
+                     std::stop_token) -> Result<Keeping> {
+                      const int sections = static_cast<int>(snapshot.get(kModel).sectionCount());
+                      return Keeping{sections, std::make_shared<std::optional<int>>(sections)};
+                  }));
+    Scheduler scheduler(std::move(stages));
+    scheduler.want(kKeeping.name);
+    scheduler.want(kCounted.name);
+    solver.holds = true;
+    scheduler.request(1, modelOf(2), false);
+    scheduler.finish(kKeeping.name);
+    scheduler.tidy(); // the solver runs
+    QCOMPARE(*scheduler.result(kKeeping)->memory, std::optional(2));
+    solver.holds = false;
+    scheduler.finish();
+    scheduler.tidy();
+    QCOMPARE(*scheduler.result(kKeeping)->memory, std::optional<int>());
+    QCOMPARE(scheduler.result(kKeeping)->sections, 2);
+}
+
 /// What a person sees after any edits and any stops is what follows from the document alone.
 void TestScheduler::randomEditsWithCancels()
 {
@@ -394,6 +429,8 @@ void TestScheduler::randomEditsWithCancels()
                                  .name);
         if (below(10) == 0)
             QCoreApplication::processEvents();
+        if (below(10) == 0)
+            scheduler.tidy();
         if (i % 250 != 0)
             continue;
         scheduler.request(static_cast<std::uint64_t>(i), model, false);
