@@ -1486,6 +1486,22 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Passt auf die Platten und Reststücke, die da sind.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>Höchstens %n Platte</numerusform>
+            <numerusform>Höchstens %n Platten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Passt auf die Platte. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Passt auf die Platte. %1 von %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -198,6 +198,14 @@
             <numerusform>%n new joints</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>At most %n sheet</numerusform>
+            <numerusform>At most %n sheets</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

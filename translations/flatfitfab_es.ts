@@ -1486,6 +1486,22 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Cabe en las planchas y los retales que hay.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>Como mucho %n plancha</numerusform>
+            <numerusform>Como mucho %n planchas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Cabe en la plancha. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Cabe en la plancha. %1 de %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -1486,6 +1486,22 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Tient sur les plaques et les chutes disponibles.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>Au plus %n plaque</numerusform>
+            <numerusform>Au plus %n plaques</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Tient sur la plaque. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Tient sur la plaque. %1 de %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -1486,6 +1486,22 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Entra nelle lastre e nei ritagli che ci sono.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>Al massimo %n lastra</numerusform>
+            <numerusform>Al massimo %n lastre</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Entra nella lastra. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Entra nella lastra. %1 da %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

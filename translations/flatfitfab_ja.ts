@@ -1459,6 +1459,21 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>手元のシートと端材に収まります。</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>シート 最大 %n 枚</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>シートに収まる。%1。</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>シートに収まる。%1（%2）。</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -1486,6 +1486,22 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Past op de platen en reststukken die er zijn.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>Hoogstens %n plaat</numerusform>
+            <numerusform>Hoogstens %n platen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Past op de plaat. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Past op de plaat. %1 van %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -1513,6 +1513,23 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Mieści się na arkuszach i resztkach, które są.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>Najwyżej %n arkusz</numerusform>
+            <numerusform>Najwyżej %n arkusze</numerusform>
+            <numerusform>Najwyżej %n arkuszy</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Mieści się na arkuszu. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Mieści się na arkuszu. %1, %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

@@ -1486,6 +1486,22 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>Cabe nas chapas e nos retalhos que há.</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>No máximo %n chapa</numerusform>
+            <numerusform>No máximo %n chapas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>Cabe na chapa. %1.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>Cabe na chapa. %1 de %2.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

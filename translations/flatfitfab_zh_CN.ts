@@ -1459,6 +1459,21 @@
         <source>Fits the sheets and offcuts that there are.</source>
         <translation>可以放在现有的板材和余料上。</translation>
     </message>
+    <message numerus="yes">
+        <source>At most %n sheets</source>
+        <extracomment>in the middle of a sentence that begins with something else</extracomment>
+        <translation>
+            <numerusform>最多 %n 张板材</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1.</source>
+        <translation>板材放得下。%1。</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2.</source>
+        <translation>板材放得下。%1（%2）。</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

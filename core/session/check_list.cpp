@@ -2,7 +2,9 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/findings/doubted_verdicts.h"
+#include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/standing.h"
+#include "core/analysis/nested.h"
 #include "core/analysis/pulling.h"
 #include "core/session/session.h"
 #include "core/session/set_aside.h"
@@ -50,6 +52,8 @@ void CheckList::take(std::string_view stage)
         m_verdicts = m_scheduler.result(kVerdicts);
     else if (stage == kPlanned.name)
         m_plan = m_scheduler.result(kPlanned);
+    else if (const auto nested = m_scheduler.result(kNested); nested && nested->question)
+        m_nested = nested; // stays when nobody looks at it any more
     const std::optional<Error> &why = m_scheduler.failureOf(stage);
     const bool wasFailing = m_failing.contains(stage);
     if (why)
@@ -111,6 +115,20 @@ bool CheckList::isRefined(const Stage &stage) const
     return std::any_of(m_scheduler.stages().begin(), m_scheduler.stages().end(), knowsBetter);
 }
 
+/// Nobody shall be told two counts of sheets.
+void CheckList::speakOfSheets()
+{
+    if (!m_nested || !m_verdicts || m_nested->analysis != m_verdicts->analysis)
+        return;
+    for (Finding &finding : m_all) {
+        const auto *packed = finding.details<SheetUse>();
+        if (!packed || packed->sheets == 0)
+            continue;
+        if (const std::optional<SheetUse> use = sheetUseOf(*m_nested))
+            finding = makeFinding(kFitsSheet, Severity::Good, *use);
+    }
+}
+
 void CheckList::refresh()
 {
     m_all.clear();
@@ -118,11 +136,13 @@ void CheckList::refresh()
         m_results.clear(); // what comes next is another model
         m_verdicts.reset();
         m_plan.reset();
+        m_nested.reset();
     } else {
         for (const Stage &stage : m_scheduler.stages())
             if (!isRefined(stage))
                 add(stage);
     }
+    speakOfSheets();
     doubtVerdicts(m_all);
     std::stable_sort(m_all.begin(), m_all.end(),
                      [](const Finding &a, const Finding &b) { return a.subject() < b.subject(); });

@@ -14,6 +14,7 @@
 namespace fff {
 
 class Session;
+struct Nested;
 
 class CheckList : public QObject
 {
@@ -27,7 +28,8 @@ public:
                        QObject *parent = nullptr);
 
     /// The newest ones of all stages that have such, of sections of model(); in the order of their
-    /// subjects. In place of those of a stage that failed one that says why.
+    /// subjects. In place of those of a stage that failed one that says why. Of sheets they say
+    /// what Sheets and Export show, once parts lie on them.
     const std::vector<Finding> &all() const { return m_all; }
     /// While the first sections are drawn: what these may still mend is not wrong so far. That
     /// a single section hangs in the air never is: the next one is drawn out of it.
@@ -62,6 +64,7 @@ private:
     void keepReport(std::string_view stage, const Error &why);
     void add(const Stage &stage);
     bool isRefined(const Stage &stage) const;
+    void speakOfSheets();
     void refresh();
 
     const Session &m_session;
@@ -69,6 +72,7 @@ private:
     std::map<std::string_view, std::shared_ptr<const void>> m_results; // by stage
     std::shared_ptr<const Verdicts> m_verdicts; // null: none yet, or of an empty model
     std::shared_ptr<const PlannedAnalysis> m_plan;
+    std::shared_ptr<const Nested> m_nested; // the newest that somebody asked for
     std::vector<Finding> m_all;
     bool m_isBeginning = false;
     QString m_reportFolder;

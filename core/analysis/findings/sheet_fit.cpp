@@ -1,5 +1,6 @@
 #include "core/analysis/findings/sheet_fit.h"
 
+#include "core/analysis/nested.h"
 #include "core/fabrication/summary.h"
 
 #include <algorithm>
@@ -8,19 +9,30 @@ namespace fff {
 
 namespace {
 
+Message sheetCount(const SheetUse &use)
+{
+    if (use.sheets == 1)
+        return {FFF_TEXT("Checks", "1 sheet"), {}};
+    if (use.isNested)
+        return {FFF_TEXT_OF_MANY("Checks", "%n sheets"), {}, use.sheets};
+    //: in the middle of a sentence that begins with something else
+    return {FFF_TEXT_OF_MANY("Checks", "At most %n sheets"), {}, use.sheets};
+}
+
 Message fitsSentence(const Finding &finding, const Model &)
 {
     const SheetUse &use = *finding.details<SheetUse>();
     if (use.sheets == 0)
         return {FFF_TEXT("Checks", "Fits the sheets and offcuts that there are."), {}};
-    const Message sheets = use.sheets == 1
-                               ? Message{FFF_TEXT("Checks", "1 sheet"), {}}
-                               : Message{FFF_TEXT_OF_MANY("Checks", "%n sheets"), {}, use.sheets};
+    const Message sheets = sheetCount(use);
+    const WidthAndHeight size{use.sheet.x(), use.sheet.y()};
     if (use.sheet.isZero())
-        return {FFF_TEXT("Checks", "Fits the sheet. %1, %2 % used."),
-                {sheets, percentOf(use.share)}};
-    return {FFF_TEXT("Checks", "Fits the sheet. %1 of %2, %3 % used."),
-            {sheets, WidthAndHeight{use.sheet.x(), use.sheet.y()}, percentOf(use.share)}};
+        return use.isNested ? Message{FFF_TEXT("Checks", "Fits the sheet. %1, %2 % used."),
+                                      {sheets, percentOf(use.share)}}
+                            : Message{FFF_TEXT("Checks", "Fits the sheet. %1."), {sheets}};
+    return use.isNested ? Message{FFF_TEXT("Checks", "Fits the sheet. %1 of %2, %3 % used."),
+                                  {sheets, size, percentOf(use.share)}}
+                        : Message{FFF_TEXT("Checks", "Fits the sheet. %1 of %2."), {sheets, size}};
 }
 
 Message tooLargeSentence(const Finding &finding, const Model &model)
@@ -35,6 +47,16 @@ Message tooLargeSentence(const Finding &finding, const Model &model)
     return {FFF_TEXT("Checks", "%1 measures %2 and fits no sheet of %3 with a margin of %4, "
                                "however it is turned."),
             {name, WidthAndHeight{part.size.x(), part.size.y()}, sheet, lengthOf(part.margin)}};
+}
+
+/// Of all sheets; zero where they are of several sizes.
+Vec2 commonSize(const std::vector<Sheet> &sheets)
+{
+    const bool areSame =
+        !sheets.empty() && std::all_of(sheets.begin(), sheets.end(), [&](const Sheet &sheet) {
+            return sheet.size == sheets.front().size;
+        });
+    return areSame ? sheets.front().size : Vec2::Zero();
 }
 
 bool hasSpares(const Document &document)
@@ -108,12 +130,17 @@ void findSheetFit(const Looked &at, std::vector<Finding> &found)
         found.push_back(makeFinding(kFitsSheet, Severity::Good, SheetUse()));
         return;
     }
-    SheetUse use{static_cast<int>(layout.sheets.size()), Vec2::Zero(), usedShare(layout, parts)};
-    if (!layout.sheets.empty() &&
-        std::all_of(layout.sheets.begin(), layout.sheets.end(),
-                    [&](const Sheet &sheet) { return sheet.size == layout.sheets.front().size; }))
-        use.sheet = layout.sheets.front().size;
+    const SheetUse use{static_cast<int>(layout.sheets.size()), commonSize(layout.sheets)};
     found.push_back(makeFinding(kFitsSheet, Severity::Good, use));
+}
+
+std::optional<SheetUse> sheetUseOf(const Nested &nested)
+{
+    if (!nested.layout || !nested.cutting || !nested.layout->oversized.empty())
+        return std::nullopt;
+    const std::vector<Sheet> &sheets = nested.layout->sheets;
+    return SheetUse{nested.cutting->sheetCount(), commonSize(sheets), true,
+                    nested.cutting->usedShare};
 }
 
 } // namespace fff

@@ -3,14 +3,21 @@
 
 #include "core/analysis/finder.h"
 
+#include <optional>
+
 namespace fff {
+
+struct Nested;
 
 /// Of kFitsSheet.
 struct SheetUse
 {
     int sheets = 0;            // 0: not counted, where there are offcuts as well
     Vec2 sheet = Vec2::Zero(); // size, mm; zero where they are of several sizes
-    double share = 0.0;        // of the sheets' area that parts cover, 0 … 1
+    /// Parts lie there. Else they were packed by their boxes alone: it takes no more sheets when
+    /// they are nested, and how much of these will be used is not known.
+    bool isNested = false;
+    double share = 0.0; // of nested ones: of the sheets, what parts cover, 0 … 1
 };
 /// Of kTooLarge.
 struct TooLargePart
@@ -26,5 +33,8 @@ extern const FindingKind kTooLarge;   // one a section with such a part
 extern const ActionKind kChooseSheet; // for the stock of its section
 
 void findSheetFit(const Looked &at, std::vector<Finding> &found);
+/// As the parts of that analysis lie on their sheets, and as Export writes them. Nothing where they
+/// do not all.
+std::optional<SheetUse> sheetUseOf(const Nested &nested);
 
 } // namespace fff

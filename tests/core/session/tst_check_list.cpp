@@ -1,9 +1,12 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/nested.h"
 #include "core/base/units.h"
 #include "core/session/check_list.h"
 #include "core/session/session.h"
+#include "core/session/sheet_nesting.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 
@@ -26,6 +29,7 @@ private Q_SLOTS:
     void rulesAreFollowedAtOnce();
     void aMoveOfADragTellsOnce();
     void aStageThatGoesOnBreakingIsReportedOnce();
+    void sheetsAreCountedOnce();
 };
 
 // Wrong: a person cuts by the verdicts on another model.
@@ -123,6 +127,42 @@ void TestCheckList::aStageThatGoesOnBreakingIsReportedOnce()
     }
     session.scheduler().finish();
     QCOMPARE(QDir(reports.path()).entryList({QStringLiteral("*.fff")}, QDir::Files).size(), 1);
+}
+
+// Wrong: "3 sheets, 28 %" among the checks, and "2 sheets, 42 %" under the sheets.
+void TestCheckList::sheetsAreCountedOnce()
+{
+    Session session;
+    CheckList list(session);
+    SheetNesting nesting(session);
+    // Their boxes fill a sheet each; turned about, both lie on one.
+    const ShapePointer half = polygonShape({{0, 0}, {180, 0}, {0, 170}});
+    const Document two = onSheets(
+        withSection(withSection(newDocument(), half, front()), half, front(60)), {210, 200});
+    session.commit(QStringLiteral("Draw"), two);
+    const auto said = [&] {
+        session.currentAnalysis();
+        list.finish();
+        for (const Finding &finding : list.all())
+            if (finding.is(kFitsSheet))
+                return findingText(finding, list.model()).replace(QChar(0x202f), u' ');
+        return QString();
+    };
+    const QString packed = QStringLiteral("Fits the sheet. At most 2 sheets of 210 × 200 mm.");
+    QCOMPARE(said(), packed);
+    nesting.setWanted(this, true);
+    const auto nested = [&] {
+        session.scheduler().finish(kNested.name);
+        return QStringLiteral("Fits the sheet. 1 sheet of 210 × 200 mm, %1 % used.")
+            .arg(qRound(100.0 * nesting.result()->cutting->usedShare));
+    };
+    const QString lies = nested();
+    QCOMPARE(said(), lies);
+    nesting.setWanted(this, false); // the panels were closed: it still lies there
+    session.scheduler().finish(kNested.name);
+    QCOMPARE(said(), lies);
+    session.commit(QStringLiteral("Move"), *moveSection(two, two.sections[1]->id, front(70)));
+    QCOMPARE(said(), packed);
 }
 
 FFF_TEST(TestCheckList)
