@@ -88,6 +88,10 @@ void Interaction::Private::takeFromTool(GestureReply reply)
 
 void Interaction::Private::layToolDown()
 {
+    if (tool) {
+        GestureContext with = context();
+        tool->end(with);
+    }
     tool.reset();
     isToolPressed = false;
     clearOverlay();

@@ -46,8 +46,15 @@ std::string_view LoadTool::command() const
 
 GestureReply LoadTool::begin(GestureContext &context, double)
 {
+    m_hasShownStress = !context.view.showsStress;
     context.view.showsStress = true;
     return {};
+}
+
+void LoadTool::end(GestureContext &context)
+{
+    if (m_hasShownStress)
+        context.view.showsStress = false;
 }
 
 std::optional<LoadAt> LoadTool::movable(const Vec2 &position, const GestureContext &context) const
@@ -130,6 +137,7 @@ GestureReply LoadTool::handle(const PointerEvent &event, GestureContext &context
 
 void LoadTool::mark(GestureContext &context, bool hasCursor)
 {
+    m_hasShownStress = m_hasShownStress && context.view.showsStress;
     if (m_drag) {
         context.hovered.load = m_drag->load().id;
         if (const auto place = m_drag->place(context.model))

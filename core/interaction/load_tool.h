@@ -25,8 +25,10 @@ public:
     LoadTool(Use use, const Load &next) : m_use(use), m_next(next) {}
 
     std::string_view command() const override;
-    /// What is put on is to be seen: stress lines are on from then on.
+    /// What is put on is to be seen: stress lines are on as long as it is held, and after that only
+    /// where they were before, or somebody has switched them meanwhile.
     GestureReply begin(GestureContext &context, double time) override;
+    void end(GestureContext &context) override;
     bool takes(const PointerEvent &press, GestureContext &context) const override;
     bool takesClicks() const override { return true; }
     bool marksSections() const override { return true; }
@@ -49,6 +51,7 @@ private:
     std::optional<Vec3> m_place; // under the cursor, where the next one would be; world, mm
     std::optional<LoadAt> m_hovered;
     std::optional<LoadDrag> m_drag;
+    bool m_hasShownStress = false; // they were off before
 };
 
 } // namespace fff

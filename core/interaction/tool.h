@@ -53,6 +53,8 @@ public:
     virtual bool isSame(const Tool &other) const { return command() == other.command(); }
     /// Once, when it is picked up: may turn the view (GestureReply::turnTo).
     virtual GestureReply begin(GestureContext & /*context*/, double /*time*/) { return {}; }
+    /// Once, when it is laid down, whatever for: what it has switched on for itself goes with it.
+    virtual void end(GestureContext & /*context*/) {}
     /// Whether it has a use for a left press; one that it has none for does what it does without a
     /// tool.
     virtual bool takes(const PointerEvent & /*press*/, GestureContext & /*context*/) const

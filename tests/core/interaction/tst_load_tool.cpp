@@ -35,6 +35,7 @@ class TestLoadTool : public QObject
 
 private Q_SLOTS:
     void aClickHangsOne();
+    void stressGoesWithIt();
     void aDragMovesIt();
     void overNothingItStays();
     void escPutsItBack();
@@ -63,6 +64,36 @@ void TestLoadTool::aClickHangsOne()
     QVERIFY(desk.interaction.tool()); // for the next one
     desk.run("edit.undo");
     QVERIFY(desk.session.committed().document == before);
+}
+
+// Wrong: arrows and numbers over whatever is done after it; or lines that somebody wants go, too.
+void TestLoadTool::stressGoesWithIt()
+{
+    WeightDesk desk;
+    desk.click(desk.plate(40, 25));
+    QVERIFY(desk.interaction.view().showsStress);
+    desk.run("measure.ruler"); // in its place
+    QVERIFY(!desk.interaction.view().showsStress);
+    desk.run("physics.addPush");
+    desk.run("physics.addWeight");
+    QVERIFY(desk.interaction.view().showsStress);
+    desk.interaction.escape(desk.time);
+    QVERIFY(!desk.interaction.tool());
+    QVERIFY(!desk.interaction.view().showsStress);
+
+    desk.run("check.stress");
+    desk.run("physics.addWeight");
+    desk.interaction.escape(desk.time);
+    QVERIFY(desk.interaction.view().showsStress); // they were on before
+
+    desk.run("check.stress");
+    desk.run("physics.addWeight");
+    desk.run("check.stress");
+    QVERIFY(!desk.interaction.view().showsStress);
+    desk.moveTo(desk.plate(40, 25));
+    desk.run("check.stress");
+    desk.interaction.escape(desk.time);
+    QVERIFY(desk.interaction.view().showsStress); // somebody asked for them
 }
 
 // Wrong: a second weight in place of the first one elsewhere.
