@@ -808,6 +808,17 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ForceMarks</name>
+    <message numerus="yes">
+        <source>%n joints pulled open, up to %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>
+            <numerusform>%n joint pulled open, up to %1&#x202f;N</numerusform>
+            <numerusform>%n joints pulled open, up to %1&#x202f;N</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::LibraryDock</name>
     <message numerus="yes">
         <source>%n section(s)</source>

@@ -10859,6 +10859,14 @@
         <extracomment>%1 is a force in newtons</extracomment>
         <translation>si sfila, %1&#x202f;N</translation>
     </message>
+    <message numerus="yes">
+        <source>%n joints pulled open, up to %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>
+            <numerusform>%n incastro si sfila, fino a %1&#x202f;N</numerusform>
+            <numerusform>%n incastri si sfilano, fino a %1&#x202f;N</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FormatFilters</name>

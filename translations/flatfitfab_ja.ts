@@ -10752,6 +10752,13 @@
         <extracomment>%1 is a force in newtons</extracomment>
         <translation>抜ける、%1 N</translation>
     </message>
+    <message numerus="yes">
+        <source>%n joints pulled open, up to %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>
+            <numerusform>接合部 %n か所が抜ける、最大 %1&#x202f;N</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FormatFilters</name>

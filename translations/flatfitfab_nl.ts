@@ -10859,6 +10859,14 @@
         <extracomment>%1 is a force in newtons</extracomment>
         <translation>uit elkaar getrokken, %1&#x202f;N</translation>
     </message>
+    <message numerus="yes">
+        <source>%n joints pulled open, up to %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>
+            <numerusform>%n verbinding uit elkaar getrokken, tot %1&#x202f;N</numerusform>
+            <numerusform>%n verbindingen uit elkaar getrokken, tot %1&#x202f;N</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FormatFilters</name>

@@ -10966,6 +10966,15 @@
         <extracomment>%1 is a force in newtons</extracomment>
         <translation>rozsuwa się, %1&#x202f;N</translation>
     </message>
+    <message numerus="yes">
+        <source>%n joints pulled open, up to %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>
+            <numerusform>%n połączenie rozsuwa się, do %1&#x202f;N</numerusform>
+            <numerusform>%n połączenia rozsuwają się, do %1&#x202f;N</numerusform>
+            <numerusform>%n połączeń rozsuwa się, do %1&#x202f;N</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FormatFilters</name>

@@ -10752,6 +10752,13 @@
         <extracomment>%1 is a force in newtons</extracomment>
         <translation>被拉开，%1&#x202f;N</translation>
     </message>
+    <message numerus="yes">
+        <source>%n joints pulled open, up to %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>
+            <numerusform>%n 个接头被拉开，最大 %1&#x202f;N</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FormatFilters</name>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fff::ui {
 
@@ -18,7 +19,7 @@ struct ForceTexts
 
 constexpr double kShaft = 2.4, kTip = 7.0;                    // px
 constexpr double kLongestArrow = 40.0, kShortestArrow = 12.0; // px
-constexpr double kApartOnScreen = 48.0;                       // px
+constexpr double kApartOnScreen = 48.0, kWordsApart = 90.0;   // px
 constexpr double kLeastForce = 5e-3;                          // N: less is written as nothing
 constexpr double kBesideFoot = 6.0;                           // px between an arrow and its number
 
@@ -57,6 +58,75 @@ std::vector<ForceMark> toldApart(const MarkPen &pen, const std::vector<ForceMark
         same->force += mark.force;
     }
     return kept;
+}
+
+/// The arrow's other end, px; the same where the force is nothing, or leads along the line of
+/// sight.
+QPointF paintArrow(MarkPen &pen, const ForceMark &mark, const QPointF &tip, double largest,
+                   const QColor &colour)
+{
+    const double size = mark.force.norm();
+    if (!(size > 0.0))
+        return tip;
+    // One mm of the force's way tells where it points in the view.
+    const QPointF step = pen.screen(mark.at + mark.force / size) - tip;
+    const double onScreen = std::hypot(step.x(), step.y());
+    if (!(onScreen > 0.0))
+        return tip;
+    const double length = std::max(kShortestArrow, kLongestArrow * size / largest);
+    const QPointF way = length / onScreen * step, end = tip - way;
+    paintForce(pen, tip, way, colour);
+    pen.keepFree(tip, end, 0.5 * kTip);
+    return end;
+}
+
+/// A force whose number is said, and of how many that are near.
+struct Told
+{
+    const ForceMark *mark;
+    QPointF tip, end; // px
+    int count = 1;
+
+    double size() const { return mark->isOpen ? mark->pull : mark->force.norm(); }
+};
+
+/// What is said of a force out of sight would stick to the view's border, and of one under a badge
+/// or a bar beside that.
+bool isInSight(const MarkPen &pen, const QPointF &tip, const std::vector<Box2> &covered)
+{
+    const QRectF view(0.0, 0.0, pen.viewport().x(), pen.viewport().y());
+    return view.contains(tip) && std::none_of(covered.begin(), covered.end(), [&](const Box2 &box) {
+               return box.contains(Vec2(tip.x(), tip.y()));
+           });
+}
+
+/// Joints pulled open so near to each other that their words would stand in a heap: the one that is
+/// pulled most speaks for them. told: the largest first.
+void joinNear(std::vector<Told> &told)
+{
+    std::vector<Told> kept;
+    for (const Told &one : told) {
+        const auto same = std::find_if(kept.begin(), kept.end(), [&](const Told &other) {
+            const QPointF way = other.tip - one.tip;
+            return one.mark->isOpen && other.mark->isOpen &&
+                   std::hypot(way.x(), way.y()) < kWordsApart;
+        });
+        if (same == kept.end())
+            kept.push_back(one);
+        else
+            ++same->count;
+    }
+    told = std::move(kept);
+}
+
+QString openWords(const Told &open, const QLocale &locale)
+{
+    const QString pull = locale.toString(open.mark->pull, 'f', 1);
+    if (open.count == 1)
+        //: %1 is a force in newtons
+        return ForceTexts::tr("pulled open, %1\u202fN").arg(pull);
+    //: %1 is a force in newtons
+    return ForceTexts::tr("%n joints pulled open, up to %1\u202fN", nullptr, open.count).arg(pull);
 }
 
 } // namespace
@@ -104,50 +174,40 @@ std::vector<ForceMark> jointForces(const Analysis &analysis, const Strength &str
 }
 
 void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
-                 const QLocale &locale)
+                 const QLocale &locale, int most)
 {
+    const std::vector<Box2> covered = pen.room().taken(); // before any arrow is
+    const auto colourOf = [&](const ForceMark &mark) {
+        return mark.isOpen ? pen.style().problem : isOlder ? pen.style().muted : pen.style().text;
+    };
+    std::vector<Told> told;
     const std::vector<ForceMark> forces = toldApart(pen, all);
-    // What is said of a force out of sight would stick to the view's border.
-    const QRectF view(0.0, 0.0, pen.viewport().x(), pen.viewport().y());
     double largest = 0.0;
     for (const ForceMark &mark : forces)
         largest = std::max(largest, mark.force.norm());
     for (const ForceMark &mark : forces) {
-        const double size = mark.force.norm();
-        const QColor colour = mark.isOpen ? pen.style().problem
-                              : isOlder   ? pen.style().muted
-                                          : pen.style().text;
         const QPointF tip = pen.screen(mark.at);
-        QPointF end = tip;
-        if (size > 0.0) {
-            // One mm of the force's way tells where it points in the view.
-            const QPointF step = pen.screen(mark.at + mark.force / size) - tip;
-            const double onScreen = std::hypot(step.x(), step.y());
-            if (onScreen > 0.0) {
-                const double length = std::max(kShortestArrow, kLongestArrow * size / largest);
-                const QPointF way = length / onScreen * step;
-                paintForce(pen, tip, way, colour);
-                end = tip - way;
-                pen.keepFree(tip, end, 0.5 * kTip);
-            }
-        }
-        if (!view.contains(tip))
-            continue;
-        if (mark.isOpen)
-            pen.chip(
-                end + QPointF(kBesideFoot, 0.0), MarkPen::Anchor::Left,
-                //: %1 is a force in newtons
-                ForceTexts::tr("pulled open, %1\u202fN").arg(locale.toString(mark.pull, 'f', 1)),
-                colour);
-        else if (mark.foot >= 0) {
-            const QString text =
-                locale.toString(size, 'f', size < 1.0 ? 2 : 1) + QStringLiteral("\u202fN");
-            pen.chip({.place = end + QPointF(0.0, kBesideFoot + 8.0),
-                      .text = text,
-                      .colour = colour,
+        const QPointF end = paintArrow(pen, mark, tip, largest, colourOf(mark));
+        if ((mark.isOpen || mark.foot >= 0) && isInSight(pen, tip, covered))
+            told.push_back({&mark, tip, end});
+    }
+    std::stable_sort(told.begin(), told.end(), [](const Told &a, const Told &b) {
+        return std::pair(a.mark->isOpen, a.size()) > std::pair(b.mark->isOpen, b.size());
+    });
+    joinNear(told);
+    if (told.size() > static_cast<std::size_t>(std::max(most, 0)))
+        told.resize(static_cast<std::size_t>(std::max(most, 0)));
+    for (const Told &one : told) {
+        if (one.mark->isOpen)
+            pen.chip(one.end + QPointF(kBesideFoot, 0.0), MarkPen::Anchor::Left,
+                     openWords(one, locale), colourOf(*one.mark));
+        else
+            pen.chip({.place = one.end + QPointF(0.0, kBesideFoot + 8.0),
+                      .text = locale.toString(one.size(), 'f', one.size() < 1.0 ? 2 : 1) +
+                              QStringLiteral("\u202fN"),
+                      .colour = colourOf(*one.mark),
                       .rank = MarkPen::Rank::OfModel,
                       .isFramed = false});
-        }
     }
 }
 

@@ -28,9 +28,14 @@ std::vector<ForceMark> footForces(const Strength &strength);
 std::vector<ForceMark> jointForces(const Analysis &analysis, const Strength &strength,
                                    std::optional<int> section = std::nullopt);
 
-/// Arrows that end where the force acts, feet's with their number, those of joints pulled open with
-/// words. What acts on one body so near that it would not be told apart is one.
+/// More numbers over a model are read by nobody.
+inline constexpr int kMostForceNumbers = 5;
+
+/// Arrows that end where the force acts. Joints pulled open have words, those near each other once
+/// for all; of feet the largest forces have their number, `most` of both in all, and none where
+/// something stands over the view already. What acts on one body so near that it would not be told
+/// apart is one.
 void paintForces(MarkPen &pen, const std::vector<ForceMark> &forces, bool isOlder,
-                 const QLocale &locale);
+                 const QLocale &locale, int most = kMostForceNumbers);
 
 } // namespace fff::ui

@@ -229,7 +229,8 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
             paintLine(pen, line, share * (marks.isOlder ? kOlderStress : 1.0),
                       !isAsked && hasField(marks, line.body));
     }
-    if (!marks.lines.empty() && marks.lines.back().use > 1.0) {
+    const bool hasWorst = !marks.lines.empty() && marks.lines.back().use > 1.0;
+    if (hasWorst) {
         const StressLine &worst = marks.lines.back();
         constexpr double kBeside = 24.0; // px
         pen.chip(pen.screen(0.5 * (worst.from + worst.to)) + QPointF(kBeside, -kBeside),
@@ -238,7 +239,8 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  StressTexts::tr("%1\u202f%").arg(locale.toString(100.0 * worst.use, 'f', 0)),
                  pen.style().problem); // as text the colours of stress are too dark in the dark
     }
-    paintForces(pen, seenForces(pen, marks, view), marks.isOlder, locale);
+    paintForces(pen, seenForces(pen, marks, view), marks.isOlder, locale,
+                kMostForceNumbers - (hasWorst ? 1 : 0));
     paintStressKey(pen, marks, locale);
 }
 

@@ -96,6 +96,7 @@ private Q_SLOTS:
     void theLineUnderTheCursor();
     void whatItSays();
     void feetBearTheWeight();
+    void fewNumbersAreSaid();
     void forcesAtJointsAreOpposite();
     void whatIsNotKnownIsSaid();
     void allIsPaintedWhole();
@@ -167,6 +168,45 @@ void TestStressMarks::feetBearTheWeight()
     const Loaded falling("cutlery_man.fff", 1e4);
     if (!areStressesKnown(falling.strength))
         QVERIFY(footForces(falling.strength).empty());
+}
+
+// Wrong: a model under numbers; three chips in a heap that say the same; a number under a badge,
+// or pushed aside by it to where nothing acts.
+void TestStressMarks::fewNumbersAreSaid()
+{
+    QImage image(900, 700, QImage::Format_ARGB32_Premultiplied);
+    QPainter painter(&image);
+    const ViewStyle style;
+    Camera camera;
+    camera.millimetresPerPixel = 1.0;
+    const auto words = [&](const std::vector<ForceMark> &forces, const QRectF &covered = {}) {
+        MarkPen pen(painter, camera, kSize, style);
+        if (!covered.isEmpty())
+            pen.keepFree(covered);
+        paintForces(pen, forces, false, QLocale::c());
+        return pen.paintChips();
+    };
+    std::vector<ForceMark> feet;
+    for (int i = 0; i < 8; ++i)
+        feet.push_back(
+            {camera.target + Vec3(-280.0 + 80.0 * i, 0.0, 0.0), Vec3(0.0, 1.0 + i, 0.0), i});
+    const std::vector<QRectF> five = words(feet);
+    QCOMPARE(five.size(), std::size_t(5));
+    for (const QRectF &box : five) // of the largest forces
+        QVERIFY(box.center().x() > 0.5 * kSize.x() - 280.0 + 200.0);
+    const std::vector<ForceMark> one{feet.front()};
+    QCOMPARE(words(one).size(), std::size_t(1));
+    QVERIFY(words(one, QRectF(150.0, 300.0, 60.0, 100.0)).empty());
+
+    std::vector<ForceMark> open;
+    for (int i = 0; i < 3; ++i)
+        open.push_back(
+            {camera.target + Vec3(20.0 * i, 10.0 * i, 0.0), Vec3::Zero(), -1, true, 1.0 + i});
+    QCOMPARE(words(open).size(), std::size_t(1));
+    open.back().at.x() += 200.0;
+    QCOMPARE(words(open).size(), std::size_t(2));
+    open.insert(open.end(), feet.begin(), feet.end());
+    QCOMPARE(words(open).size(), std::size_t(5)); // of both in all
 }
 
 // Wrong: two sections that do not do the opposite to each other.
