@@ -16,6 +16,7 @@ constexpr double kWordsHeight = 16.0;                         // px, of bare one
 constexpr double kButtonHeight = 28.0, kButtonPadding = 24.0; // px
 constexpr double kManyLines = 1e4;                            // px, more than words take
 constexpr double kLeader = 1.4;                               // px
+constexpr double kOffItsLine = 12.0; // px, from a line to the words beside it
 /// What steps aside by no more is still beside what it names, px.
 constexpr double kStepAside = 12.0;
 /// So far off nobody sees what words are about, px.
@@ -126,6 +127,23 @@ Vec2 MarkPen::sizeOf(const Chip &chip) const
             height + std::ceil(words.height() - metrics.lineSpacing())};
 }
 
+/// Of its middle.
+Vec2 MarkPen::wantedPlace(const Chip &chip, const Vec2 &size) const
+{
+    const double before = chip.anchor == Anchor::Left    ? -0.5
+                          : chip.anchor == Anchor::Right ? 0.5
+                                                         : 0.0;
+    const Vec2 wanted(chip.place.x() - before * size.x(), chip.place.y());
+    const double length = std::hypot(chip.along.x(), chip.along.y());
+    if (!(length > 0.0))
+        return wanted;
+    // Above the line, or at its right where that is upright: just so far that it does not touch it.
+    Vec2 across(chip.along.y() / length, -chip.along.x() / length);
+    if (across.y() > 0.0 || (across.y() == 0.0 && across.x() < 0.0))
+        across = -across;
+    return wanted + (0.5 * across.cwiseAbs().dot(size) + kOffItsLine) * across;
+}
+
 std::vector<QRectF> MarkPen::paintChips()
 {
     std::stable_sort(m_chips.begin(), m_chips.end(),
@@ -133,12 +151,9 @@ std::vector<QRectF> MarkPen::paintChips()
     std::vector<std::pair<const Chip *, QRectF>> placed;
     for (const Chip &chip : m_chips) {
         const Vec2 size = sizeOf(chip);
-        const double before = chip.anchor == Anchor::Left    ? -0.5
-                              : chip.anchor == Anchor::Right ? 0.5
-                                                             : 0.0;
-        const Vec2 wanted(chip.place.x() - before * size.x(), chip.place.y());
-        const std::optional<Box2> box = m_room.placeFor(
-            wanted, size, chip.rank == Rank::InHand ? LabelRoom::kAnywhere : kFarthest);
+        const std::optional<Box2> box =
+            m_room.placeFor(wantedPlace(chip, size), size,
+                            chip.rank == Rank::InHand ? LabelRoom::kAnywhere : kFarthest);
         if (!box) {
             if (chip.told)
                 *chip.told = {};

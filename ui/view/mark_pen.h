@@ -58,6 +58,8 @@ public:
         QColor colour;
         Rank rank = Rank::Besides;
         std::optional<QPointF> names = {}; // what it is about; none: what is at its place
+        QPointF along = {};                // a line through its place that it stands beside; null:
+                                           // it stands there
         QColor frame = {};                 // invalid: as its words
         bool isFramed = true;              // else bare words on a casing
         double longest = 0.0;              // of its lines, px; 0: it is one line
@@ -87,6 +89,7 @@ public:
 private:
     QFont fontOf(const Chip &chip) const;
     Vec2 sizeOf(const Chip &chip) const;
+    Vec2 wantedPlace(const Chip &chip, const Vec2 &size) const;
     void paintLeader(const Chip &chip, const QRectF &box);
     void paintChip(const Chip &chip, const QRectF &box);
     void paintBox(const Chip &chip, const QRectF &box);

@@ -27,6 +27,7 @@ struct MeasureMarksTexts
 };
 
 constexpr double kTickReach = 6.0;                    // px, half of the tick at a line's end
+constexpr double kFreeOfWords = 4.0;                  // px, words off a line with its length
 constexpr double kArrowHead = 8.0, kArrowWidth = 2.4; // px
 constexpr double kAhead = 20.0;     // px, to see where a direction leads on the screen
 constexpr double kTowardsEye = 0.2; // of its length that a direction must keep on the screen
@@ -220,6 +221,7 @@ void paintSign(MarkPen &pen, const sign::Line &line)
                 path.moveTo(end - across);
                 path.lineTo(end + across);
             }
+            pen.keepFree(from, to, kFreeOfWords); // its length stands beside it
         }
     }
     stroke(pen, path, line.role);
@@ -267,11 +269,15 @@ void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QL
                              : messageText(std::get<Message>(label.words), unitWords(unit, locale));
     const QPointF wanted = middle + QPointF(label.offset.x(), label.offset.y());
     const QColor &colour = pen.style().*lookOf(label.role).colour;
+    // A length stands beside its line.
+    const bool isOfLine = way && label.places.size() == 2;
     pen.chip({.place = wanted,
               .text = text,
               .colour = colour,
               .rank = rankOf(label.role),
               .names = middle,
+              .along = isOfLine ? pen.screen(label.places.back()) - pen.screen(label.places.front())
+                                : QPointF(),
               .isButton = label.role == SignRole::Offer,
               .isLit = isLit,
               .told = told});

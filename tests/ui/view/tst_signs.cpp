@@ -1,4 +1,5 @@
 // Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
+#include "core/base/units.h"
 #include "core/interaction/snapping.h"
 #include "core/model/symmetric_section.h"
 #include "tests/core/interaction/desk.h"
@@ -15,6 +16,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <random>
 #include <utility>
@@ -126,6 +128,7 @@ private Q_SLOTS:
     void everyKindIsSeen();
     void rulersKeepOffWhatIsDrawn();
     void wordsOfACutStandBesideIt();
+    void aLengthStandsBesideItsLine();
     void whatLiesUnderWhatIsNoMatterOfTheOrder();
     void wordsOfAStrokeStandBesideIt();
     void theSlitIsSilentWhileTheOutlineIsDrawn();
@@ -278,6 +281,35 @@ void TestSigns::wordsOfACutStandBesideIt()
         QVERIFY(off > 0.0 && off < 20.0);
         QVERIFY(box.top() >= cut.y() && box.top() < cut.y() + 12.0);
     }
+}
+
+// Wrong: a chip that hides the line whose length it says.
+void TestSigns::aLengthStandsBesideItsLine()
+{
+    Camera camera;
+    camera.target = Vec3::Zero();
+    camera.millimetresPerPixel = 0.4;
+    const Vec2 size(800.0, 600.0);
+    QImage image(800, 600, QImage::Format_ARGB32_Premultiplied);
+    for (int turn = 0; turn < 180; turn += 15)
+        for (const double half : {1.0, 15.0, 60.0}) { // also one that is shorter than its words
+            const double angle = radians(static_cast<double>(turn));
+            const Vec3 end(half * std::cos(angle), half * std::sin(angle), 0.0);
+            Signs signs;
+            signs.add(sign::Line{SignRole::Measured, {-end, end}, true});
+            signs.add(sign::Label{SignRole::Measured, {-end, end}, sign::Way{2.0 * end}});
+            QPainter painter(&image);
+            MarkPen pen(painter, camera, size, kStyle);
+            paintSigns(pen, {&signs}, {}, QLocale::c());
+            const std::vector<QRectF> boxes = pen.paintChips();
+            QCOMPARE(boxes.size(), std::size_t(1));
+            for (int i = 0; i <= 200; ++i) {
+                const Vec2 p = camera.toScreen((i / 100.0 - 1.0) * end, size);
+                QVERIFY(!boxes.front().contains(QPointF(p.x(), p.y())));
+            }
+            const QPointF off = boxes.front().center() - QPointF(400.0, 300.0);
+            QVERIFY(std::hypot(off.x(), off.y()) < 140.0);
+        }
 }
 
 // Wrong: the size lies on the line that is drawn.
