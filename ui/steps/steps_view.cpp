@@ -61,7 +61,12 @@ StepsView::StepsView(Workbench &bench, const CheckList &list, Viewport *viewport
         m_player->jumpTo(time);
         follow();
     });
-    connect(m_bar, &StepsBar::drawnApartChanged, this, &StepsView::follow);
+    connect(m_bar, &StepsBar::drawnApartChanged, this, [this] {
+        if (!isOpen())
+            return;
+        bringIntoSight();
+        follow();
+    });
     connect(m_bar, &StepsBar::closeWanted, this, [this] { m_bench.layDownTool(); });
     connect(m_bar, &StepsBar::exportWanted, this, &StepsView::exportWanted);
     connect(&bench, &Workbench::viewStateChanged, this, [this] {
@@ -99,40 +104,46 @@ void StepsView::refresh()
 void StepsView::fit()
 {
     if (isOpen() && m_viewport->steps() && !m_viewport->steps()->scene.sections.empty())
-        fit(m_viewport->steps()->scene);
+        m_bench.setCamera(fitted(m_viewport->steps()->scene, m_bench.interaction().targetCamera()));
 }
 
 /// Above the bar.
-void StepsView::fit(const Scene &scene)
+Camera StepsView::fitted(const Scene &scene, const Camera &from) const
 {
-    const Interaction &interaction = m_bench.interaction();
-    const Vec2 size = interaction.viewport();
+    const Vec2 size = m_bench.interaction().viewport();
     const Vec2 below(0.0, size.y() - m_bar->y());
-    Camera camera = cameraFor(scene, interaction.targetCamera(), size - below);
-    camera = panned(camera, 0.5 * below, Vec2::Zero(), size);
-    m_bench.setCamera(camera);
+    return panned(cameraFor(scene, from, size - below), 0.5 * below, Vec2::Zero(), size);
 }
 
-/// The view stays as it is where the finished model can be seen in it; else nobody would see what
-/// comes to lie under the bar.
+/// Above the bar, too.
+bool StepsView::isInSight(const Scene &scene, const Camera &camera) const
+{
+    const Vec2 size = m_bench.interaction().viewport();
+    const Box2 room{Vec2::Zero(), Vec2(size.x(), m_bar->y())};
+    return std::all_of(
+        scene.sections.begin(), scene.sections.end(), [&](const SceneSection &section) {
+            const std::vector<Vec2> &outer = section.shape->region().outer;
+            return std::all_of(outer.begin(), outer.end(), [&](const Vec2 &p) {
+                return room.contains(camera.toScreen(section.frame.toWorld(p), size));
+            });
+        });
+}
+
+/// The view stays as somebody has it where the finished model, drawn apart as it is, can be seen in
+/// it; else nobody would see what comes to lie under the bar, or beside the view. It goes back
+/// there when the parts come together again, unless it was moved meanwhile.
 void StepsView::bringIntoSight()
 {
-    const Interaction &interaction = m_bench.interaction();
-    const Vec2 size = interaction.viewport();
-    const StepsPicture whole =
-        m_scene->at(m_player->stepCount(), m_bar->drawnApart(), interaction.targetCamera(), size);
-    if (whole.scene.sections.empty())
+    const Scene whole = m_scene->sceneAt(m_player->stepCount(), m_bar->drawnApart());
+    if (whole.sections.empty())
         return;
-    const Box2 room{Vec2::Zero(), Vec2(size.x(), m_bar->y())};
-    const auto isInRoom = [&](const SceneSection &section) {
-        const std::vector<Vec2> &outer = section.shape->region().outer;
-        return std::all_of(outer.begin(), outer.end(), [&](const Vec2 &p) {
-            return room.contains(
-                interaction.targetCamera().toScreen(section.frame.toWorld(p), size));
-        });
-    };
-    if (!std::all_of(whole.scene.sections.begin(), whole.scene.sections.end(), isInRoom))
-        fit(whole.scene);
+    const Camera now = m_bench.interaction().targetCamera();
+    if (!m_brought || !(m_brought->to == now))
+        m_brought = Brought{now, now};
+    const Camera &from = m_brought->from;
+    m_brought->to = isInSight(whole, from) ? from : fitted(whole, from);
+    if (!(m_brought->to == now))
+        m_bench.setCamera(m_brought->to);
 }
 
 void StepsView::toggle()
@@ -231,6 +242,7 @@ void StepsView::open(AssemblyStepsPointer steps)
     const bool jumps = settings().reducesMotion();
     m_player = std::make_shared<StepsPlayer>(steps->playback.stepCount(), jumps);
     m_shown.reset();
+    m_brought.reset();
     m_bench.setMarksAside(true);
     m_bar->setStepCount(steps->playback.stepCount());
     m_bar->resetDrawnApart();

@@ -71,7 +71,8 @@ private:
     /// Moves the player on and shows where it is now.
     void follow();
     void show();
-    void fit(const Scene &scene);
+    Camera fitted(const Scene &scene, const Camera &from) const;
+    bool isInSight(const Scene &scene, const Camera &camera) const;
     void bringIntoSight();
     bool act(int key);
     double now();
@@ -93,6 +94,11 @@ private:
         bool isPlaying = false;
     };
     std::optional<Shown> m_shown;
+    struct Brought
+    {
+        Camera from, to;
+    };
+    std::optional<Brought> m_brought; // into sight: the view was `from` as somebody chose it
 };
 
 } // namespace fff::ui

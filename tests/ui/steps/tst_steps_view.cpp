@@ -47,6 +47,7 @@ private Q_SLOTS:
     void theSliderGoesAnywhere();
     void theyArePlayed();
     void apartIsApart();
+    void whatIsDrawnApartStaysInSight();
     void allOfItIsFitted();
     void whatIsUnderTheBarComesIntoSight();
     void theViewIsTurnedAndNothingElse();
@@ -68,6 +69,7 @@ private:
     void finishPlan();
     void open(const Document &document);
     void showSteps();
+    bool isAllInSight();
     StepsView &steps() { return *m_window->findChild<StepsView *>(); }
     QFrame *bar() { return m_window->findChild<QFrame *>(QStringLiteral("stepsBar")); }
     QString sentence()
@@ -328,25 +330,51 @@ void TestStepsView::allOfItIsFitted()
     }
 }
 
+bool TestStepsView::isAllInSight()
+{
+    bool all = true;
+    for (const SceneSection &section : m_view->steps()->scene.sections)
+        for (const Vec2 &p : section.shape->region().outer) {
+            const QPoint at = onScreen(section.frame.toWorld(p));
+            all = all && m_view->rect().contains(at) && at.y() < bar()->y();
+        }
+    return all;
+}
+
+// Wrong: half of what is drawn apart is beside the view; or who only looks at it has lost the view
+// that was there before.
+void TestStepsView::whatIsDrawnApartStaysInSight()
+{
+    showSteps();
+    key(Qt::Key_End);
+    QTRY_VERIFY(!interaction().isAnimating());
+    const Camera before = interaction().targetCamera();
+    slider("stepsApart")->setValue(100);
+    QVERIFY(isAllInSight());
+    QVERIFY(!(interaction().targetCamera() == before));
+    slider("stepsApart")->setValue(40);
+    QVERIFY(isAllInSight());
+    slider("stepsApart")->setValue(0);
+    QVERIFY(interaction().targetCamera() == before);
+    // The hand's own view stays, as long as all is seen there.
+    slider("stepsApart")->setValue(100);
+    const Vec2 size = interaction().viewport();
+    const Camera moved = panned(interaction().targetCamera(), Vec2(3.0, 2.0), Vec2::Zero(), size);
+    bench().setCamera(moved);
+    slider("stepsApart")->setValue(0);
+    QVERIFY(interaction().targetCamera() == moved);
+}
+
 // Wrong: the feet were under the bar, and it was to be guessed that F brings them above it.
 void TestStepsView::whatIsUnderTheBarComesIntoSight()
 {
-    const auto isInSight = [this] {
-        bool all = true;
-        for (const SceneSection &section : m_view->steps()->scene.sections)
-            for (const Vec2 &p : section.shape->region().outer) {
-                const QPoint at = onScreen(section.frame.toWorld(p));
-                all = all && m_view->rect().contains(at) && at.y() < bar()->y();
-            }
-        return all;
-    };
     const Vec2 size = interaction().viewport();
     bench().setCamera(
         panned(interaction().camera(), Vec2(0.0, 0.4 * size.y()), Vec2::Zero(), size));
     showSteps();
     key(Qt::Key_End);
     QTRY_VERIFY(!interaction().isAnimating());
-    QVERIFY(isInSight());
+    QVERIFY(isAllInSight());
     // Where all is seen, nothing moves.
     key(Qt::Key_Escape);
     const Camera seen = interaction().camera();
