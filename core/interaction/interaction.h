@@ -105,7 +105,10 @@ public:
     /// The same of these world points; it does not follow the room.
     void fit(std::span<const Vec3> points, double time, double duration);
     /// Boxes of what stands over the view, px: marks keep out of them, and what is fitted does.
-    void setCovered(std::vector<Box2> covered);
+    /// passing: what comes and goes with the tool in the hand; nothing is fitted anew for it, or
+    /// the model would leap from under the cursor.
+    void setCovered(std::vector<Box2> covered, const std::vector<Box2> &passing = {});
+    /// Both.
     const std::vector<Box2> &covered() const;
     /// What is seen besides the sections, such as a glass that stands on them: world points round
     /// it.

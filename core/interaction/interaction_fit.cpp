@@ -8,14 +8,14 @@ void Interaction::Private::fitFirst()
 {
     Camera front;
     front.projection = motion.camera.projection;
-    motion.camera = fittedToAll(front);
+    motion.camera = fittedToAll(front, lasting);
 }
 
-Camera Interaction::Private::fittedToAll(const Camera &from) const
+Camera Interaction::Private::fittedToAll(const Camera &from, std::span<const Box2> beside) const
 {
     std::vector<Vec3> seen = outlinePoints(host.model(), view);
     seen.insert(seen.end(), seenBesides.begin(), seenBesides.end());
-    return fittedClear(from, seen, motion.viewport, fitMargins(motion.viewport, covered));
+    return fittedClear(from, seen, motion.viewport, fitMargins(motion.viewport, beside));
 }
 
 /// The view has other room: what fills it still does, unless somebody has looked closer or is at
@@ -29,14 +29,14 @@ void Interaction::Private::followRoom()
         gesture || isToolPressed || overlay.hasStroke() || (path && !path->points.empty());
     if (isAtWork || !motion.isAsFitted() || !host.model().document.isSame(fittedDocument))
         return;
-    motion.refit(fittedToAll(motion.target()));
+    motion.refit(fittedToAll(motion.target(), lasting));
     hover();
     update();
 }
 
 void Interaction::fitAll(const Camera &from, double time, double duration)
 {
-    turnTo(d->fittedToAll(from), time, duration);
+    turnTo(d->fittedToAll(from, d->covered), time, duration);
     d->motion.fit = d->motion.target();
     d->fittedDocument = d->host.model().document;
 }
@@ -48,15 +48,18 @@ void Interaction::fit(std::span<const Vec3> points, double time, double duration
            duration);
 }
 
-void Interaction::setCovered(std::vector<Box2> covered)
+void Interaction::setCovered(std::vector<Box2> covered, const std::vector<Box2> &passing)
 {
     const auto isSame = [](const Box2 &a, const Box2 &b) {
         return a.min == b.min && a.max == b.max;
     };
-    if (std::equal(covered.begin(), covered.end(), d->covered.begin(), d->covered.end(), isSame))
-        return;
+    const bool isSameRoom =
+        std::equal(covered.begin(), covered.end(), d->lasting.begin(), d->lasting.end(), isSame);
+    d->lasting = covered;
     d->covered = std::move(covered);
-    d->followRoom();
+    d->covered.insert(d->covered.end(), passing.begin(), passing.end());
+    if (!isSameRoom)
+        d->followRoom();
 }
 
 const std::vector<Box2> &Interaction::covered() const

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -76,7 +77,7 @@ public:
         return {host.model(), motion.camera, motion.viewport, view, seen, covered};
     }
     void fitFirst();
-    Camera fittedToAll(const Camera &from) const;
+    Camera fittedToAll(const Camera &from, std::span<const Box2> beside) const;
     void followRoom();
     bool isHandBusy() const;
 
@@ -161,6 +162,7 @@ public:
     ViewState view;
     std::vector<ProblemMark> marks;
     std::vector<Box2> covered;     // of the view, px
+    std::vector<Box2> lasting;     // of these, what does not come and go with tools
     std::vector<Vec3> seenBesides; // world
     Document fittedDocument;       // that the view was fitted to
     double now = 0.0;              // ms, of the last event

@@ -50,6 +50,14 @@ bool isTouch(QEvent::Type type)
            type == QEvent::TouchCancel;
 }
 
+std::vector<Box2> boxesOf(const std::vector<QRectF> &rects)
+{
+    std::vector<Box2> boxes;
+    for (const QRectF &rect : rects)
+        boxes.push_back({{rect.left(), rect.top()}, {rect.right(), rect.bottom()}});
+    return boxes;
+}
+
 bool isBelowGround(const Scene &scene)
 {
     return std::any_of(
@@ -211,20 +219,20 @@ void Viewport::paintGL()
 /// Badges, chips and bars are widgets of their own over the view.
 void Viewport::lookForCovers()
 {
-    std::vector<QRectF> covered;
+    std::vector<QRectF> covered, passing;
     for (const QWidget *above : findChildren<QWidget *>(Qt::FindDirectChildrenOnly))
         if (!above->isHidden() && !above->geometry().isEmpty())
-            covered.emplace_back(above->geometry());
+            (above->property(kPassingCover).toBool() ? passing : covered)
+                .emplace_back(above->geometry());
     const StressMarks *stress = m_steps ? nullptr : m_strained.stress();
     const BearingMarks *bearing = m_steps ? nullptr : m_strained.bearing();
     if ((stress && worstShown(*stress) > 0.0) || (bearing && bearing->map))
         covered.push_back(legendRoom(Vec2(width(), height())));
-    if (std::exchange(m_covered, covered) == covered)
+    std::vector<QRectF> all = covered;
+    all.insert(all.end(), passing.begin(), passing.end());
+    if (std::exchange(m_covered, all) == all)
         return;
-    std::vector<Box2> boxes;
-    for (const QRectF &box : covered)
-        boxes.push_back({{box.left(), box.top()}, {box.right(), box.bottom()}});
-    m_bench.setCovered(std::move(boxes));
+    m_bench.setCovered(boxesOf(covered), boxesOf(passing));
 }
 
 bool Viewport::eventFilter(QObject *object, QEvent *event)

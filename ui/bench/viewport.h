@@ -24,6 +24,10 @@ class Workbench;
 struct OverlayScene;
 struct StepsPicture;
 
+/// A property of what stands over the view for as long as a tool is in the hand: the model keeps
+/// its place under it.
+inline constexpr char kPassingCover[] = "isPassingCover";
+
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT

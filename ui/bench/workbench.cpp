@@ -77,9 +77,9 @@ void Workbench::setViewport(const Vec2 &size)
     announceChanges();
 }
 
-void Workbench::setCovered(std::vector<Box2> covered)
+void Workbench::setCovered(std::vector<Box2> covered, const std::vector<Box2> &passing)
 {
-    m_interaction->setCovered(std::move(covered));
+    m_interaction->setCovered(std::move(covered), passing);
     announceChanges();
 }
 

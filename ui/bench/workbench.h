@@ -45,7 +45,7 @@ public:
 
     void setViewport(const Vec2 &size);
     /// What stands over the view, and what it shows besides sections (Interaction).
-    void setCovered(std::vector<Box2> covered);
+    void setCovered(std::vector<Box2> covered, const std::vector<Box2> &passing = {});
     void setSeenBesides(std::vector<Vec3> points);
     void handle(const PointerEvent &event);
     bool escape();

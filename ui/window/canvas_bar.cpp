@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "ui/actions/action_set.h"
 #include "ui/base/theme.h"
+#include "ui/bench/viewport.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/length_edit.h"
 
@@ -77,6 +78,7 @@ CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
     : QFrame(view), m_bench(bench), m_actions(actions)
 {
     setObjectName(QStringLiteral("canvasBar"));
+    setProperty(kPassingCover, true);
     setAccessibleName(tr("Numbers of the drawing tool"));
     setCursor(Qt::ArrowCursor);
     m_grid = new QGridLayout(this);

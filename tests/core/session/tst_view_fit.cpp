@@ -273,6 +273,32 @@ private Q_SLOTS:
         QVERIFY(desk.interaction.camera() == closer);
     }
 
+    /// Wrong: a tool is taken up, its bar comes, and the model leaps from under the cursor.
+    void itStaysUnderTheBarOfATool()
+    {
+        Desk desk;
+        desk.session.reset(fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+        const Box2 badges{{100.0, 10.0}, {500.0, 40.0}};
+        const Box2 bar{{100.0, 600.0}, {500.0, 790.0}};
+        desk.interaction.setCovered({badges});
+        desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+        const Camera before = desk.interaction.camera();
+        desk.interaction.setCovered({badges}, {bar});
+        QVERIFY(desk.interaction.camera() == before);
+        QCOMPARE(desk.interaction.covered().size(), std::size_t(2)); // marks keep out of it
+        // Nor when a badge has other words meanwhile.
+        desk.interaction.setCovered({{{100.0, 10.0}, {540.0, 40.0}}}, {bar});
+        QVERIFY(desk.interaction.camera() == before);
+        desk.interaction.setCovered({badges});
+        QVERIFY(desk.interaction.camera() == before);
+        // Who fits the model while it is there sees all of it.
+        desk.interaction.setCovered({badges}, {bar});
+        desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+        QVERIFY(
+            outlineOf(desk.session.model(), desk.interaction.camera(), desk.interaction.viewport())
+                .max.y() < 600.0);
+    }
+
     /// What is drawn would slip away from under the hand.
     void itStaysWhileOneDraws()
     {
