@@ -3455,6 +3455,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Öffnet die Hilfe dort, wo sie von diesem Teil des Fensters erzählt</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>Nicht spiegeln</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Alles lassen, wie es war</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6275,6 +6287,19 @@
             <numerusform>%n Lücke im Schnitt wurde durch eine glatte Kurve geschlossen.</numerusform>
             <numerusform>%n Lücken im Schnitt wurden durch glatte Kurven geschlossen.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Wie</translation>
     </message>
 </context>
 <context>

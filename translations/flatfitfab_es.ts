@@ -3455,6 +3455,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Abre la ayuda donde habla de esta parte de la ventana</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>No reflejar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Dejar todo como estaba</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6275,6 +6287,19 @@
             <numerusform>%n hueco en el corte se cerró con una curva suave.</numerusform>
             <numerusform>%n huecos en el corte se cerraron con curvas suaves.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Cómo</translation>
     </message>
 </context>
 <context>

@@ -3455,6 +3455,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Ouvrir l’aide là où elle parle de cette partie de la fenêtre</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>Ne pas refléter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Tout laisser comme avant</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6275,6 +6287,19 @@
             <numerusform>%n vide dans la coupe a été fermé par une courbe lisse.</numerusform>
             <numerusform>%n vides dans la coupe ont été fermés par des courbes lisses.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Comment</translation>
     </message>
 </context>
 <context>

@@ -3455,6 +3455,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Apre l’aiuto dove parla di questa parte della finestra</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>Non specchiare</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Lascia tutto com’era</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6275,6 +6287,19 @@
             <numerusform>%n interruzione nel taglio è stata chiusa con una curva liscia.</numerusform>
             <numerusform>%n interruzioni nel taglio sono state chiuse con curve lisce.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Piano</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Come</translation>
     </message>
 </context>
 <context>

@@ -3427,6 +3427,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>ウィンドウのこの部分を説明するところを開きます</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>ミラーしない</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>すべて元のままにします</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6216,6 +6228,19 @@
         <translation>
             <numerusform>切り口のすき間 %n か所を、なめらかな曲線で閉じました。</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>方法</translation>
     </message>
 </context>
 <context>

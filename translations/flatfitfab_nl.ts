@@ -3455,6 +3455,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Opent de hulp waar ze over dit deel van het venster vertelt</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>Niet spiegelen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Alles laten zoals het was</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6275,6 +6287,19 @@
             <numerusform>%n onderbreking in de snede is met een vloeiende kromme gesloten.</numerusform>
             <numerusform>%n onderbrekingen in de snede zijn met vloeiende krommen gesloten.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Vlak</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Hoe</translation>
     </message>
 </context>
 <context>

@@ -3483,6 +3483,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Otwiera pomoc tam, gdzie mówi o tej części okna</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>Nie odbijaj</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Zostaw wszystko tak, jak było</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6334,6 +6346,19 @@
             <numerusform>%n luki w cięciu zamknięto gładkimi krzywymi.</numerusform>
             <numerusform>%n luk w cięciu zamknięto gładkimi krzywymi.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Płaszczyzna</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Jak</translation>
     </message>
 </context>
 <context>

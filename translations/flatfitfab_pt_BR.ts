@@ -3455,6 +3455,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>Abre a ajuda onde ela fala desta parte da janela</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>Não espelhar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>Deixar tudo como estava</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6275,6 +6287,19 @@
             <numerusform>%n vão no corte foi fechado com uma curva suave.</numerusform>
             <numerusform>%n vãos no corte foram fechados com curvas suaves.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>Plano</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>Como</translation>
     </message>
 </context>
 <context>

@@ -3427,6 +3427,18 @@
         <source>Open the help where it tells about this part of the window</source>
         <translation>打开讲解窗口这一部分的帮助</translation>
     </message>
+    <message>
+        <source>Do not mirror</source>
+        <translation>不做镜像</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave everything as it was</source>
+        <translation>一切保持原样</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -6216,6 +6228,19 @@
         <translation>
             <numerusform>截面上的 %n 处缺口已用平滑曲线补上。</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>MirrorBar</name>
+    <message>
+        <source>Plane</source>
+        <extracomment>before the buttons X, Y, Z and Section, the plane that is mirrored across</extracomment>
+        <translation>镜面</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <extracomment>before the buttons Copy, Both sides and Once</extracomment>
+        <translation>方式</translation>
     </message>
 </context>
 <context>

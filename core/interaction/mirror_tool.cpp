@@ -4,6 +4,8 @@
 #include "core/interaction/mirror_words.h"
 #include "core/interaction/pick.h"
 
+#include <utility>
+
 namespace fff {
 
 Frame mirrorPlane(const Model &model, const MirrorChoice &choice)
@@ -118,12 +120,22 @@ GestureReply MirrorTool::key(ToolKey key, GestureContext &context)
 
 std::vector<std::string_view> MirrorTool::commands() const
 {
-    std::vector<std::string_view> commands{"mirror.x",       "mirror.y",    "mirror.z",
-                                           "mirror.section", "mirror.copy", "mirror.always",
-                                           "mirror.once"};
+    std::vector<std::string_view> all;
+    for (const CommandGroup &group : commandGroups())
+        all.insert(all.end(), group.commands.begin(), group.commands.end());
+    return all;
+}
+
+/// Across a section a click on it does what is shown.
+std::vector<CommandGroup> MirrorTool::commandGroups() const
+{
+    CommandGroup end;
     if (!asks())
-        commands.emplace_back("mirror.apply");
-    return commands;
+        end.commands.emplace_back("mirror.apply");
+    end.commands.emplace_back("mirror.cancel");
+    return {{hints::kMirrorPlane, {"mirror.x", "mirror.y", "mirror.z", "mirror.section"}},
+            {hints::kMirrorOutcome, {"mirror.copy", "mirror.always", "mirror.once"}},
+            std::move(end)};
 }
 
 Hint MirrorTool::hint() const

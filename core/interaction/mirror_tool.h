@@ -63,6 +63,8 @@ public:
     bool takesClicks() const override { return true; }
     bool marksSections() const override { return asks() && !m_drag.isTurning(); }
     std::vector<std::string_view> commands() const override;
+    std::vector<CommandGroup> commandGroups() const override;
+    std::string_view mainCommand() const override { return "mirror.apply"; }
     Hint hint() const override;
     Cursor cursor() const override
     {

@@ -10,5 +10,9 @@ inline constexpr Text kMirrorWhat =
                      "<kbd>Esc</kbd> cancels.");
 inline constexpr Text kMirrorAcross = FFF_TEXT(
     "Hint", "Click the section to mirror across; drag to turn the view. <kbd>Esc</kbd> cancels.");
+//: before the buttons X, Y, Z and Section, the plane that is mirrored across
+inline constexpr Text kMirrorPlane = FFF_TEXT("MirrorBar", "Plane");
+//: before the buttons Copy, Both sides and Once
+inline constexpr Text kMirrorOutcome = FFF_TEXT("MirrorBar", "How");
 
 } // namespace fff::hints

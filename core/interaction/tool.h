@@ -41,6 +41,15 @@ struct ToolNumber
     bool operator==(const ToolNumber &) const = default;
 };
 
+/// Commands of a tool that belong together, and what is said before their buttons.
+struct CommandGroup
+{
+    Text title = {}; // empty: nothing
+    std::vector<std::string_view> commands;
+
+    bool operator==(const CommandGroup &) const = default;
+};
+
 /// handle() gets every left press, the moves (also without a button), the releases and double
 /// clicks as they come, none while the view is moved. A reply that is Over lays it down; one that
 /// is Running may carry a commit all the same (the pen stays in the hand).
@@ -118,6 +127,10 @@ public:
 
     /// Commands that go with it: the bar over the view has a button for each.
     virtual std::vector<std::string_view> commands() const { return {}; }
+    /// The same by what belongs together.
+    virtual std::vector<CommandGroup> commandGroups() const { return {{{}, commands()}}; }
+    /// That of them which does what the tool is for, and stands out; empty: none does.
+    virtual std::string_view mainCommand() const { return {}; }
 
     /// A key that it has a use for; what it has none for does what it does elsewhere.
     virtual bool wants(ToolKey /*key*/) const { return false; }

@@ -43,6 +43,8 @@ constexpr CommandWords kMirrorWords[] = {
      "symmetry", FFF_TEXT("Command", "Copy one side to the other; later edits are not copied")},
     {"mirror.apply", FFF_TEXT("Command", "Mirror as shown"), FFF_TEXT("Command", "Mirror"), "",
      "mirror", FFF_TEXT("Command", "Do what is shown")},
+    {"mirror.cancel", FFF_TEXT("Command", "Do not mirror"), FFF_TEXT("Command", "Cancel"), "",
+     "close", FFF_TEXT("Command", "Leave everything as it was")},
 };
 
 constexpr Text kNoMirrorHeld = FFF_TEXT("Command", "Choose Mirror first");
@@ -161,7 +163,7 @@ void registerMirrorCommands(CommandRegistry &registry, Session &session, Interac
                                    false, time);
                       return {};
                   },
-                  needsSections(session), inHand(interaction, "edit.mirror")});
+ XX});
     addChoice(registry, interaction, "mirror.x", withPlane<Plane::X>, {});
     addChoice(registry, interaction, "mirror.y", withPlane<Plane::Y>, {});
     addChoice(registry, interaction, "mirror.z", withPlane<Plane::Z>, {});
@@ -170,6 +172,8 @@ void registerMirrorCommands(CommandRegistry &registry, Session &session, Interac
               needsSelection(interaction));
     addChoice(registry, interaction, "mirror.always", withOutcome<Outcome::Always>, {});
     addChoice(registry, interaction, "mirror.once", withOutcome<Outcome::Once>, {});
+    const CommandRule isHeld =
+        needs([&interaction] { return heldMirror(interaction) != nullptr; }, kNoMirrorHeld);
     registry.add("mirror.apply", {[&interaction](const CommandParameters &, double time) {
                                       interaction.key(ToolKey::Enter, time);
                                       return Result<void>();
@@ -180,6 +184,11 @@ void registerMirrorCommands(CommandRegistry &registry, Session &session, Interac
                                                  interaction.wants(ToolKey::Enter);
                                       },
                                       kNoMirrorHeld)});
+    registry.add("mirror.cancel", {[&interaction](const CommandParameters &, double time) {
+                                       interaction.layDown(time);
+                                       return Result<void>();
+                                   },
+                                   isHeld});
     registry.offer(kMirrorWords);
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/actions/search_words.h"
 
+#include <QAction>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -57,6 +58,15 @@ bool startsAWord(const QString &text, const QString &word)
             return true;
     }
     return false;
+}
+
+/// A choice of Mirror, as its bar has it, while nobody holds it: that itself is found by the same
+/// words.
+bool isOutOfHand(const ListedAction &action)
+{
+    const bool isChoice = action.id.startsWith(QStringLiteral("mirror.")) ||
+                          action.id.startsWith(QStringLiteral("edit.mirrorCopy"));
+    return isChoice && action.action && !action.action->isEnabled();
 }
 
 bool isScattered(const QString &text, const QString &word)
@@ -116,7 +126,7 @@ QList<ListedAction> foundActions(const QString &query, const QList<ListedAction>
 {
     QList<std::pair<int, ListedAction>> scored;
     for (const ListedAction &action : actions) {
-        const int score = matchScore(query, action);
+        const int score = isOutOfHand(action) ? -1 : matchScore(query, action);
         if (score >= 0)
             scored.append({score, action});
     }

@@ -63,6 +63,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "edit.selectPrevious measure.ruler measure.dimension measure.keep measure.remove mirror.x "
          "mirror.y "
          "mirror.z mirror.section mirror.copy mirror.always mirror.once mirror.apply "
+         "mirror.cancel "
          "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection",
          kSearchedMenu},
         {QT_TR_NOOP("&View"),

@@ -1,6 +1,7 @@
 #include "ui/window/canvas_bar.h"
 
 #include "core/base/units.h"
+#include "core/session/message_text.h"
 #include "ui/actions/action_set.h"
 #include "ui/base/theme.h"
 #include "ui/bench/viewport.h"
@@ -9,6 +10,7 @@
 
 #include <QApplication>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -32,9 +34,10 @@ constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
 
 constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
 constexpr NumberEdit::Range kCopies{0.0, 500.0, 1.0, 0, 0};
-constexpr int kFieldWidth = 104, kNarrowField = 88;     // px
-const QString kNumber = QStringLiteral("\u22121888.8"); // fields have room for it
-constexpr int kFewFields = 3;                           // in a row of a view that is not wide
+constexpr int kFieldWidth = 104, kNarrowField = 88;             // px
+const QString kNumber = QStringLiteral("\u22121888.8");         // fields have room for it
+constexpr int kBetweenCommands = 6, kBetweenCommandGroups = 20; // px
+constexpr int kFewFields = 3;     // in a row of a view that is not wide
 constexpr int kTypingPause = 400; // ms, after which what is typed is taken for the whole number
 
 /// Numbers of points come and go with what is typed; others stay with their tool.
@@ -104,7 +107,7 @@ CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
     m_buttons = new QWidget(this);
     m_buttonGrid = new QGridLayout(m_buttons);
     m_buttonGrid->setContentsMargins(0, 0, 0, 0);
-    m_buttonGrid->setSpacing(6);
+    m_buttonGrid->setSpacing(kBetweenCommands);
     hide();
     m_typing.setSingleShot(true);
     m_typing.setInterval(kTypingPause);
@@ -218,27 +221,59 @@ void CanvasBar::refresh()
 void CanvasBar::showCommands()
 {
     const Tool *tool = m_bench.interaction().tool();
-    std::vector<std::string_view> commands =
-        tool ? tool->commands() : std::vector<std::string_view>();
-    if (commands == m_commands)
+    std::vector<CommandGroup> groups = tool ? tool->commandGroups() : std::vector<CommandGroup>();
+    std::erase_if(groups, [](const CommandGroup &group) { return group.commands.empty(); });
+    if (groups == m_commands)
         return;
-    m_commands = std::move(commands);
-    for (QToolButton *old : std::exchange(m_commandButtons, {})) {
+    m_commands = std::move(groups);
+    for (QWidget *old : std::exchange(m_commandCells, {})) {
         old->hide();
         m_buttonGrid->removeWidget(old);
         old->deleteLater();
     }
-    for (const std::string_view command : m_commands) {
-        auto *button = new QToolButton(m_buttons);
-        button->setDefaultAction(m_actions.action(std::string(command).c_str()));
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setAutoRaise(true);
-        button->setIconSize({16, 16});
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setObjectName(QStringLiteral("canvas.") + button->defaultAction()->objectName());
-        m_commandButtons.push_back(button);
-    }
+    const std::string_view main = tool ? tool->mainCommand() : std::string_view();
+    m_buttonGrid->setHorizontalSpacing(m_commands.size() > 1 ? kBetweenCommandGroups
+                                                             : kBetweenCommands);
+    if (m_commands.size() > 1)
+        for (const CommandGroup &group : m_commands)
+            m_commandCells.push_back(cellOf(group, main));
+    else if (!m_commands.empty())
+        for (const std::string_view command : m_commands.front().commands)
+            m_commandCells.push_back(buttonOf(command, command == main, m_buttons));
     m_buttons->setVisible(!m_commands.empty());
+}
+
+/// Side by side, what is said before them at their left.
+QWidget *CanvasBar::cellOf(const CommandGroup &group, std::string_view main)
+{
+    auto *cell = new QWidget(m_buttons);
+    auto *row = new QHBoxLayout(cell);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kBetweenCommands);
+    if (group.title.source) {
+        auto *title = new QLabel(messageText(group.title), cell);
+        title->setForegroundRole(QPalette::PlaceholderText);
+        row->addWidget(title);
+    }
+    for (const std::string_view command : group.commands) {
+        QToolButton *button = buttonOf(command, command == main, cell);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly); // its group says what it is
+        row->addWidget(button);
+    }
+    return cell;
+}
+
+QToolButton *CanvasBar::buttonOf(std::string_view command, bool isMain, QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setDefaultAction(m_actions.action(std::string(command).c_str()));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(true);
+    button->setIconSize({16, 16});
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setObjectName(QStringLiteral("canvas.") + button->defaultAction()->objectName());
+    button->setProperty("isMain", isMain);
+    return button;
 }
 
 void CanvasBar::accept()
@@ -321,11 +356,11 @@ bool CanvasBar::eventFilter(QObject *object, QEvent *event)
 }
 
 /// The commands stand below the fields, beside a single one where there is room.
-void CanvasBar::arrange(int fieldsInRow, int buttonsInRow)
+void CanvasBar::arrange(int fieldsInRow, int cellsInRow)
 {
-    for (std::size_t i = 0; i < m_commandButtons.size(); ++i) {
+    for (std::size_t i = 0; i < m_commandCells.size(); ++i) {
         const int at = static_cast<int>(i);
-        m_buttonGrid->addWidget(m_commandButtons[i], at / buttonsInRow, at % buttonsInRow);
+        m_buttonGrid->addWidget(m_commandCells[i], at / cellsInRow, at % cellsInRow, Qt::AlignLeft);
     }
     int shown = 0;
     for (Field &field : m_fields) {
@@ -344,7 +379,7 @@ void CanvasBar::arrange(int fieldsInRow, int buttonsInRow)
 
 void CanvasBar::place()
 {
-    const int all = std::max(1, static_cast<int>(m_commandButtons.size()));
+    const int all = std::max(1, static_cast<int>(m_commandCells.size()));
     const auto fits = [this] { return sizeHint().width() <= parentWidget()->width() - 2 * kBelow; };
     for (const int fieldsInRow : {static_cast<int>(m_fields.size()), kFewFields, 2}) {
         arrange(fieldsInRow, all);
@@ -352,8 +387,8 @@ void CanvasBar::place()
             break;
     }
     // Then it is the buttons that are too wide.
-    for (int buttonsInRow = (all + 1) / 2; !fits() && buttonsInRow > 0; buttonsInRow /= 2)
-        arrange(2, buttonsInRow);
+    for (int cellsInRow = (all + 1) / 2; !fits() && cellsInRow > 0; cellsInRow /= 2)
+        arrange(2, cellsInRow);
     const QSize size = sizeHint();
     resize(size);
     const int left = (parentWidget()->width() - size.width()) / 2;

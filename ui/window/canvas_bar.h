@@ -60,14 +60,17 @@ private:
     void close();
     void follow(QWidget *focus);
     void place();
-    void arrange(int fieldsInRow, int buttonsInRow);
+    void arrange(int fieldsInRow, int cellsInRow);
     void showCommands();
+    QWidget *cellOf(const CommandGroup &group, std::string_view main);
+    QToolButton *buttonOf(std::string_view command, bool isMain, QWidget *parent);
 
     Workbench &m_bench;
     const ActionSet &m_actions;
     QWidget *m_buttons = nullptr;
-    std::vector<std::string_view> m_commands; // that have buttons
-    std::vector<QToolButton *> m_commandButtons;
+    std::vector<CommandGroup> m_commands; // that have buttons
+    /// A button each, or where there are several groups of them a group.
+    std::vector<QWidget *> m_commandCells;
     QGridLayout *m_grid = nullptr, *m_buttonGrid = nullptr;
     std::vector<Field> m_fields;
     QTimer m_typing;       // after the last key in the field of a wanted length
