@@ -26,6 +26,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_own_tool
     ui/base/tst_message_bar
     ui/bench/tst_first_sections
+    ui/bench/tst_marked_scene
     ui/bench/tst_skin_picture
     ui/dialogs/tst_dialogs
     ui/dialogs/tst_export_dialog

@@ -69,4 +69,17 @@ void markScene(Scene &scene, const Workbench &bench)
     }
 }
 
+QString nameUnderCursor(const Workbench &bench)
+{
+    const Interaction &interaction = bench.interaction();
+    const Model &model = bench.session().model();
+    const int hovered = interaction.hovered().section;
+    if (hovered < 0 || static_cast<std::size_t>(hovered) >= model.sectionCount())
+        return {};
+    const auto index = static_cast<std::size_t>(hovered);
+    if (interaction.selection() == std::vector{model.ref(index)})
+        return {};
+    return QString::fromStdString(model.section(index)->name);
+}
+
 } // namespace fff::ui

@@ -12,7 +12,6 @@
 
 #include <QPainter>
 
-#include <algorithm>
 #include <utility>
 
 namespace fff::ui {
@@ -60,9 +59,7 @@ void Viewport::paintMarks()
     scene.steps = m_steps ? &m_steps->marks : nullptr;
     if (scene.view.clip) // of the handle's place; every vertex is looked at for it
         scene.bounds = m_bench.session().committed().bounds();
-    const auto hovered = static_cast<std::size_t>(std::max(over.section, 0));
-    if (over.section >= 0 && hovered < model.sectionCount())
-        scene.hoveredName = QString::fromStdString(model.section(hovered)->name);
+    scene.hoveredName = nameUnderCursor(m_bench);
     if (!isMoved)
         scene.selected = selectedSigns(m_bench);
     if (const auto *points = scene.selected.find<sign::Points>())
