@@ -39,8 +39,8 @@ struct PlacedMark
     bool isDot = false;
 };
 
-/// Half the width of a number, of a dot and of one that stands for several; what stays free between
-/// two numbers; px.
+/// Half the width of a number, of a dot and of the room that is kept for that; what stays free
+/// between two numbers; px.
 inline constexpr double kMarkRadius = 11.0, kDotRadius = 4.5, kDotsRadius = 6.0, kMarkGap = 3.0;
 /// What lies nearer to each other than this is one mark, px.
 inline constexpr double kMergeReach = 16.0;

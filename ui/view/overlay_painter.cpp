@@ -346,27 +346,26 @@ void Drawing::marks()
         mark(*lit, true);
 }
 
-/// One that stands for several has a ring round it.
+/// How many it stands for is said when the cursor is on it.
 void Drawing::dot(const PlacedMark &mark)
 {
     const QPointF centre(mark.centre.x(), mark.centre.y());
-    const QColor &colour = colourOf(mark);
-    const bool isLit = this->isLit(mark), isOfMany = mark.marks.size() > 1;
+    const bool isLit = this->isLit(mark);
     const double radius = kDotRadius + (isLit ? 1.5 : 0.0);
     m_painter.setPen(QPen(m_style.panel, 1.5));
-    m_painter.setBrush(colour);
+    m_painter.setBrush(colourOf(mark));
     if (mark.isError) {
         m_painter.drawEllipse(centre, radius, radius);
     } else { // told apart without colours
         const double half = 0.88 * radius;
         m_painter.drawRect(QRectF(centre.x() - half, centre.y() - half, 2 * half, 2 * half));
     }
-    if (!isLit && !isOfMany)
+    if (!isLit)
         return;
     m_painter.setBrush(Qt::NoBrush);
     QPainterPath ring;
     ring.addEllipse(centre, radius + 2.5, radius + 2.5);
-    cased(ring, QPen(isLit ? m_style.accent : colour, isLit ? 2.0 : 1.2));
+    cased(ring, QPen(m_style.accent, 2.0));
 }
 
 /// An octagon for an error, a square with round corners for a warning: told apart without colours.
