@@ -12656,10 +12656,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Z der Mitte</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
         <source>X of the direction it faces, of length 1</source>
         <translation>X der Richtung, in die sie zeigt, Länge 1</translation>
     </message>
@@ -12730,6 +12726,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>How its place follows when a value stretches the section that it is on: as far as that is stretched there, or at its distance from an end</source>
         <translation>Wie ihr Platz folgt, wenn ein Wert die Scheibe streckt, auf der sie sitzt: so weit, wie jene dort gestreckt wird, oder in ihrem Abstand zu einem Ende</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
     </message>
 </context>
 <context>

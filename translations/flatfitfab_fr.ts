@@ -12716,10 +12716,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Z de son milieu</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>Orientation</translation>
-    </message>
-    <message>
         <source>X of the direction it faces, of length 1</source>
         <translation>X de la direction vers laquelle elle est tournée, de longueur 1</translation>
     </message>
@@ -12730,6 +12726,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Z of the direction it faces, of length 1</source>
         <translation>Z de la direction vers laquelle elle est tournée, de longueur 1</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Orientation</translation>
     </message>
 </context>
 <context>

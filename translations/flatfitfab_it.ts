@@ -12716,10 +12716,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Z del suo centro</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>Direzione</translation>
-    </message>
-    <message>
         <source>X of the direction it faces, of length 1</source>
         <translation>X della direzione in cui guarda, di lunghezza 1</translation>
     </message>
@@ -12730,6 +12726,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Z of the direction it faces, of length 1</source>
         <translation>Z della direzione in cui guarda, di lunghezza 1</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direzione</translation>
     </message>
 </context>
 <context>

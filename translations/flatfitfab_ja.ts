@@ -12604,10 +12604,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>中心の Z</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>向き</translation>
-    </message>
-    <message>
         <source>X of the direction it faces, of length 1</source>
         <translation>面の向きの X（長さ 1）</translation>
     </message>
@@ -12618,6 +12614,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Z of the direction it faces, of length 1</source>
         <translation>面の向きの Z（長さ 1）</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>向き</translation>
     </message>
 </context>
 <context>

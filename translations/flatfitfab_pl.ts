@@ -12828,10 +12828,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Z środka</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>Kierunek</translation>
-    </message>
-    <message>
         <source>X of the direction it faces, of length 1</source>
         <translation>X kierunku, w który jest zwrócona, długość 1</translation>
     </message>
@@ -12842,6 +12838,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Z of the direction it faces, of length 1</source>
         <translation>Z kierunku, w który jest zwrócona, długość 1</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Kierunek</translation>
     </message>
 </context>
 <context>

@@ -12604,10 +12604,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>中心 Z</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation>朝向</translation>
-    </message>
-    <message>
         <source>X of the direction it faces, of length 1</source>
         <translation>朝向的 X 分量，总长为 1</translation>
     </message>
@@ -12618,6 +12614,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Z of the direction it faces, of length 1</source>
         <translation>朝向的 Z 分量，总长为 1</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>朝向</translation>
     </message>
 </context>
 <context>

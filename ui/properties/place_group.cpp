@@ -10,6 +10,7 @@
 #include "core/model/origin.h"
 #include "core/model/symmetric_section.h"
 #include "core/model/value_names.h"
+#include "core/session/message_text.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/driven_field.h"
 #include "ui/properties/number_edit.h"
@@ -256,7 +257,7 @@ void PlaceGroup::addPosition()
         this));
 }
 
-/// Which way it faces: across its plane, of length 1.
+/// Across its plane, of length 1.
 void PlaceGroup::addNormal()
 {
     const std::array names{"normalX", "normalY", "normalZ"};
@@ -272,7 +273,7 @@ void PlaceGroup::addNormal()
         edits[static_cast<std::size_t>(axis)] = edit;
     }
     add(new TripleRow(
-        PlaceGroupTexts::tr("Faces"), edits,
+        PlaceGroupTexts::tr("Direction"), edits,
         {PlaceGroupTexts::tr("X of the direction it faces, of length 1"),
          PlaceGroupTexts::tr("Y of the direction it faces, of length 1"),
          PlaceGroupTexts::tr("Z of the direction it faces, of length 1")},
@@ -293,10 +294,9 @@ void PlaceGroup::addSwitch(const QString &name, const char *objectName, const QS
     connect(box, &QCheckBox::clicked, this, [this, id, box] {
         m_bench.run(id, {{"on", box->isChecked() ? "true" : "false"}});
     });
-    const auto isEnabled = [this, id] { return m_bench.commands().isEnabled(id.toStdString()); };
     auto *row = new EditorRow(
         name, objectName, box,
-        [this, box, isEnabled, read = std::move(read), words = std::move(words)] {
+        [this, box, id, tip, read = std::move(read), words = std::move(words)] {
             if (words)
                 box->setText(words());
             const std::vector<const Section *> all = sections();
@@ -306,7 +306,10 @@ void PlaceGroup::addSwitch(const QString &name, const char *objectName, const QS
             box->setCheckState(on == 0                 ? Qt::Unchecked
                                : on == std::ssize(all) ? Qt::Checked
                                                        : Qt::PartiallyChecked);
-            box->setEnabled(isEnabled());
+            const WhyNot whyNot = m_bench.commands().whyNot(id.toStdString());
+            box->setEnabled(!whyNot);
+            box->parentWidget()->setToolTip(whyNot ? messageText(*whyNot) : tip);
+            box->setAccessibleDescription(box->parentWidget()->toolTip());
         },
         this);
     row->setToolTip(tip);
