@@ -6147,6 +6147,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>„%1“ ist jetzt, was eingestellt ist, anstelle von dem, was es war.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Zuerst eine Scheibe zeichnen: Noch ist nichts zu spiegeln da.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Zuerst eine Scheibe zeichnen: Noch ist nichts da, was sich wiederholen oder teilen lässt.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -6147,6 +6147,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>«%1» es ahora lo que está puesto, en lugar de lo que era.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Dibuja primero una sección: todavía no hay nada que reflejar.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Dibuja primero una sección: todavía no hay nada que repetir ni dividir.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

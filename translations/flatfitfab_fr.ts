@@ -6147,6 +6147,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>« %1 » contient maintenant les réglages actuels, à la place des anciens.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Dessinez d’abord une section : il n’y a encore rien à refléter.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Dessinez d’abord une section : il n’y a encore rien à répéter ni à diviser.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -6147,6 +6147,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>«%1» ora è ciò che è impostato, al posto di ciò che era.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Disegna prima una sezione: non c’è ancora nulla da specchiare.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Disegna prima una sezione: non c’è ancora nulla da ripetere o dividere.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -6097,6 +6097,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>「%1」は以前の内容に代わって、今の設定になりました。</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>まず板を描いてください: ミラーするものがまだありません。</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>まず板を描いてください: 繰り返したり分けたりするものがまだありません。</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -6147,6 +6147,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>‘%1’ is nu wat is ingesteld, in plaats van wat het was.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Teken eerst een sectie: er is nog niets om te spiegelen.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Teken eerst een sectie: er is nog niets om te herhalen of te verdelen.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

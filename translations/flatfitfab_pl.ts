@@ -6197,6 +6197,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>„%1” to teraz bieżące ustawienia zamiast poprzednich.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Najpierw narysuj płytkę: nie ma jeszcze czego odbijać.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Najpierw narysuj płytkę: nie ma jeszcze czego powtarzać ani dzielić.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -6147,6 +6147,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>“%1” agora é o que está definido, no lugar do que era.</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>Desenhe primeiro uma seção: ainda não há nada para espelhar.</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>Desenhe primeiro uma seção: ainda não há nada para repetir ou dividir.</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -6097,6 +6097,14 @@
         <extracomment>%1 is the name of a preset of values, such as A5</extracomment>
         <translation>“%1”现在是当前的设置，取代了原来的。</translation>
     </message>
+    <message>
+        <source>Draw a section first: there is nothing to mirror yet.</source>
+        <translation>请先画一个插片：还没有可镜像的东西。</translation>
+    </message>
+    <message>
+        <source>Draw a section first: there is nothing to repeat or divide yet.</source>
+        <translation>请先画一个插片：还没有可重复或可分割的东西。</translation>
+    </message>
 </context>
 <context>
     <name>Listing</name>

@@ -48,6 +48,8 @@ constexpr CommandWords kMirrorWords[] = {
 };
 
 constexpr Text kNoMirrorHeld = FFF_TEXT("Command", "Choose Mirror first");
+constexpr Text kNothingToMirror =
+    FFF_TEXT("Hint", "Draw a section first: there is nothing to mirror yet.");
 constexpr Text kMadeSymmetric = FFF_TEXT("Step", "Make symmetric");
 constexpr Text kAlreadySymmetric =
     FFF_TEXT("Hint", "Nothing copied: the model is symmetric already.");
@@ -156,14 +158,20 @@ SectionEdit madeSymmetric(const Model &model, Operation mirror)
 void registerMirrorCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
     registry.add("edit.mirror",
-                 {[&interaction](const CommandParameters &, double time) -> Result<void> {
+                 {[&session, &interaction](const CommandParameters &, double time) -> Result<void> {
+                      if (session.committed().sectionCount() == 0) {
+                          interaction.carryOut(
+                              SectionEdit(tl::unexpected(Hint::refusal(kNothingToMirror))), time);
+                          return {};
+                      }
                       const bool hasSelection = !interaction.sectionsInFocus().empty();
                       pickUpMirror(interaction,
                                    {.outcome = hasSelection ? Outcome::Copy : Outcome::Always},
                                    false, time);
                       return {};
                   },
- XX});
+                  {},
+                  inHand(interaction, "edit.mirror")});
     addChoice(registry, interaction, "mirror.x", withPlane<Plane::X>, {});
     addChoice(registry, interaction, "mirror.y", withPlane<Plane::Y>, {});
     addChoice(registry, interaction, "mirror.z", withPlane<Plane::Z>, {});

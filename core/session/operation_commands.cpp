@@ -1,6 +1,7 @@
 #include "core/session/operation_commands.h"
 
 #include "core/interaction/operation_tool.h"
+#include "core/interaction/section_edit.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/baking.h"
 #include "core/operations/operation_words.h"
@@ -68,6 +69,9 @@ constexpr Text kBakeOperation = FFF_TEXT("Step", "Bake %1");
 //: %1 is the name of a section that an operation made
 constexpr Text kDetachInstance = FFF_TEXT("Step", "Detach %1");
 
+constexpr Text kNothingToWorkOn =
+    FFF_TEXT("Hint", "Draw a section first: there is nothing to repeat or divide yet.");
+
 /// Those that are selected, for the roles that nothing was said of: one each, the last list takes
 /// the rest.
 void takeSelected(const Model &model, const OperationKind &kind,
@@ -124,6 +128,13 @@ public:
                      double time) const
     {
         const Model &model = m_session.committed();
+        if (model.sectionCount() == 0 && !kind.isOfTemplate) {
+            if (!parameters.empty())
+                return failure(ErrorCode::BadValue, kind.key, {"", "a section to work on"});
+            m_interaction.carryOut(SectionEdit(tl::unexpected(Hint::refusal(kNothingToWorkOn))),
+                                   time);
+            return {};
+        }
         CommandParameters said = parameters;
         said.erase("template"); // which is no section
         Result<Operation> operation = withParameters(model, kind, newOperation(kind), said);
@@ -140,6 +151,11 @@ public:
         if (const InputSpec *missing = missingInput(kind, *operation)) {
             if (!parameters.empty())
                 return failure(ErrorCode::BadValue, missing->role, {"", "the name of a section"});
+            if (model.sectionCount() == 0) {
+                m_interaction.carryOut(SectionEdit(tl::unexpected(Hint::refusal(kNothingToWorkOn))),
+                                       time);
+                return {};
+            }
             m_interaction.pickUp(std::make_unique<OperationTool>(
                                      kind, *std::move(operation),
                                      [this_ = *this](const Operation &added) {
@@ -357,7 +373,7 @@ void registerOperationCommands(CommandRegistry &registry, Session &session,
             kind->isOfTemplate
                 ? needs([&session] { return !session.committed().document.templates.empty(); },
                         FFF_TEXT("Command", "There is no mesh to slice: add one first"))
-                : needsSections(session); // it asks for those that it needs
+                : CommandRule(); // it asks for what it needs
         registry.add(id, {[commands, kind](const CommandParameters &parameters, double time) {
                               return commands.add(*kind, parameters, time);
                           },

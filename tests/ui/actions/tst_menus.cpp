@@ -230,15 +230,25 @@ void TestMenus::buttonsForASectionComeWithIt()
     QVERIFY(!has("section.redraw") && !has("section.addHole"));
 }
 
-// Wrong: a tool asks for a section to be clicked where there is none.
+// Wrong: buttons that are grey and leave one to guess why; or a tool that asks for a section to be
+// clicked where there is none.
 void TestMenus::nothingIsRepeatedOfNothing()
 {
-    const auto isThere = [this](const char *id) { return actionOf(*m_window, id)->isEnabled(); };
-    for (const char *id : {"operation.linear", "operation.revolve", "operation.grid"})
-        QVERIFY2(!isThere(id), id);
+    const Interaction &interaction = m_window->bench().interaction();
+    const char *const ids[] = {"operation.linear", "operation.revolve", "operation.grid",
+                               "operation.radial", "operation.mirror",  "edit.mirror"};
+    for (const char *id : ids) {
+        QVERIFY2(actionOf(*m_window, id)->isEnabled(), id);
+        actionOf(*m_window, id)->trigger();
+        QVERIFY2(!interaction.tool(), id);
+        QVERIFY2(interaction.hint().isRefusal, id);
+        QVERIFY(m_window->bench().session().committed().document.operations.empty());
+    }
     m_window->bench().session().commit(QStringLiteral("draw"), squareDocument());
-    for (const char *id : {"operation.linear", "operation.revolve", "operation.grid"})
-        QVERIFY2(isThere(id), id);
+    for (const char *id : ids)
+        QVERIFY2(actionOf(*m_window, id)->isEnabled(), id);
+    actionOf(*m_window, "operation.linear")->trigger();
+    QVERIFY(interaction.tool());
 }
 
 FFF_TEST_WITH(TestMenus, [](int argc, char *argv[]) {
