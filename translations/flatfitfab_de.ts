@@ -1579,7 +1579,7 @@
     </message>
     <message>
         <source>Go back to the model as it is in its file; Undo brings the changes back</source>
-        <translation>Zum Modell zurück, wie es in der Datei steht; Zurücknehmen bringt die Änderungen wieder</translation>
+        <translation>Zum Modell zurück, wie es in der Datei steht; Rückgängig bringt die Änderungen wieder</translation>
     </message>
     <message>
         <source>Se&amp;ttings…</source>
@@ -1859,7 +1859,7 @@
     </message>
     <message>
         <source>Mirror</source>
-        <translation>Spiegel</translation>
+        <translation>Spiegeln</translation>
     </message>
     <message>
         <source>Click a section: a mirror image of the selected ones comes on its other side</source>
@@ -2403,11 +2403,11 @@
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>&amp;Zurücknehmen</translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation>Zurück</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -2415,7 +2415,7 @@
     </message>
     <message>
         <source>Redo</source>
-        <translation>Vor</translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -2436,7 +2436,7 @@
     <message>
         <source>&amp;Undo “%1”</source>
         <extracomment>%1 is a step of the history</extracomment>
-        <translation>„%1“ &amp;zurücknehmen</translation>
+        <translation>„%1“ &amp;rückgängig machen</translation>
     </message>
     <message>
         <source>&amp;Redo “%1”</source>
@@ -3205,7 +3205,7 @@
     </message>
     <message>
         <source>Undo the last step</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
+        <translation>Den letzten Schritt rückgängig machen</translation>
     </message>
     <message>
         <source>Redo the step that was undone</source>
@@ -9947,7 +9947,7 @@
     </message>
     <message>
         <source>%1 is as it was saved. Undo brings your changes back.</source>
-        <translation>%1 ist, wie es gespeichert war. Zurücknehmen bringt die Änderungen wieder.</translation>
+        <translation>%1 ist, wie es gespeichert war. Rückgängig bringt die Änderungen wieder.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
