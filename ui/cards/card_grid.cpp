@@ -22,7 +22,6 @@ void CardGrid::setCards(const std::vector<QWidget *> &cards)
     QWidget *before = nullptr;
     for (QWidget *card : m_cards) {
         card->setParent(this);
-        card->setFixedSize(m_card);
         if (before)
             setTabOrder(before, card);
         before = card;
@@ -33,7 +32,23 @@ void CardGrid::setCards(const std::vector<QWidget *> &cards)
 
 int CardGrid::columns(int width) const
 {
-    return std::max(1, (width + m_gap) / (m_card.width() + m_gap));
+    const int least = m_leastWidth > 0 ? m_leastWidth : m_card.width();
+    return std::max(1, (width + m_gap) / (least + m_gap));
+}
+
+int CardGrid::cardWidth(int width) const
+{
+    if (m_leastWidth <= 0)
+        return m_card.width();
+    const int across = columns(width);
+    return std::max(m_leastWidth, (width - (across - 1) * m_gap) / across);
+}
+
+void CardGrid::setLeastWidth(int width)
+{
+    m_leastWidth = width;
+    place();
+    updateGeometry();
 }
 
 int CardGrid::heightForWidth(int width) const
@@ -59,7 +74,8 @@ QSize CardGrid::sizeHint() const
 
 QSize CardGrid::minimumSizeHint() const
 {
-    return {m_card.width(), heightForWidth(std::max(width(), m_card.width()))};
+    const int least = m_leastWidth > 0 ? m_leastWidth : m_card.width();
+    return {least, heightForWidth(std::max(width(), least))};
 }
 
 void CardGrid::resizeEvent(QResizeEvent *event)
@@ -71,14 +87,15 @@ void CardGrid::resizeEvent(QResizeEvent *event)
 
 void CardGrid::place()
 {
-    const int across = columns(width());
+    const int across = columns(width()), wide = cardWidth(width());
     for (std::size_t i = 0; i < m_cards.size(); ++i) {
         int column = static_cast<int>(i) % across;
         const int row = static_cast<int>(i) / across;
         if (isRightToLeft())
             column = across - 1 - column;
         m_cards[i]->setVisible(m_mostRows == 0 || row < m_mostRows);
-        m_cards[i]->move(column * (m_card.width() + m_gap), row * (m_card.height() + m_gap));
+        m_cards[i]->setFixedSize(wide, m_card.height());
+        m_cards[i]->move(column * (wide + m_gap), row * (m_card.height() + m_gap));
     }
 }
 

@@ -1,4 +1,5 @@
 // Cards of one size side by side, in as many columns as the width has room for.
+// Where they may, they become wider so that a row fills the width.
 #pragma once
 
 #include <QWidget>
@@ -16,6 +17,8 @@ public:
     void setCards(const std::vector<QWidget *> &cards);
     const std::vector<QWidget *> &cards() const { return m_cards; }
 
+    /// They fill a row, and are no narrower than this, px. 0: as wide as was said at first.
+    void setLeastWidth(int width);
     /// Those that need more are not shown. 0: all are.
     void setMostRows(int rows);
 
@@ -29,10 +32,12 @@ protected:
 
 private:
     int columns(int width) const;
+    int cardWidth(int width) const;
     void place();
 
     QSize m_card;
     int m_gap;
+    int m_leastWidth = 0;
     int m_mostRows = 0;
     std::vector<QWidget *> m_cards;
 };

@@ -73,7 +73,7 @@ void ModelCard::paintEvent(QPaintEvent *)
         painter.drawPixmap(picture.center() - QPoint(kPlaceholder / 2, kPlaceholder / 2), mark);
         painter.setOpacity(1.0);
     } else {
-        painter.drawImage(picture, m_picture);
+        drawPicture(painter, picture);
     }
     painter.restore();
     painter.setPen(QPen(isFocused   ? theme().accent
@@ -93,6 +93,21 @@ void ModelCard::paintEvent(QPaintEvent *)
     painter.setPen(theme().muted);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom,
                      QFontMetrics(small).elidedText(m_note, Qt::ElideRight, words.width()));
+}
+
+/// As high as its room, in the middle; its borders go on to the sides of a card that is wider.
+void ModelCard::drawPicture(QPainter &painter, const QRect &room) const
+{
+    const double scale = static_cast<double>(room.height()) / m_picture.height();
+    const int width = qRound(scale * m_picture.width()), left = (room.width() - width) / 2;
+    if (left > 0) {
+        const QRect border(0, 0, 1, m_picture.height());
+        painter.drawImage(QRect(0, 0, left + 1, room.height()), m_picture, border);
+        painter.drawImage(
+            QRect(left + width - 1, 0, room.width() - left - width + 1, room.height()), m_picture,
+            border.translated(m_picture.width() - 1, 0));
+    }
+    painter.drawImage(QRect(left, 0, width, room.height()), m_picture);
 }
 
 void ModelCard::keyPressEvent(QKeyEvent *event)

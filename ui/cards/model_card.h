@@ -34,6 +34,7 @@ protected:
 
 private:
     void describe();
+    void drawPicture(QPainter &painter, const QRect &room) const;
 
     QString m_note;
     QImage m_picture;

@@ -127,9 +127,11 @@ QWidget *StartPage::makeMiddle()
     const QSize card(ModelCard::kWidth, ModelCard::kHeight);
     m_recent = new CardGrid(card, kGap, page);
     m_recent->setObjectName(QStringLiteral("startRecent"));
+    m_recent->setLeastWidth(ModelCard::kWidth);
     m_recent->setMostRows(1);
     m_samples = new CardGrid(card, kGap, page);
     m_samples->setObjectName(QStringLiteral("startSamples"));
+    m_samples->setLeastWidth(ModelCard::kWidth);
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(kBesideCards, kMargin, kBesideCards, kMargin);
     column->setSpacing(12);

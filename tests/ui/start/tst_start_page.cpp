@@ -12,6 +12,7 @@
 #include <QDateTime>
 #include <QFile>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void whenAFileWasOpenedIsSaid();
     void ofAnOldListNothingIsSaid();
     void theUsualWindowHasSixColumns();
+    void cardsFillTheWidth();
 
 private:
     void open()
@@ -107,6 +109,26 @@ void TestStartPage::theUsualWindowHasSixColumns()
     QTRY_COMPARE(columns(), std::size_t(6));
     const auto *recent = m_page->findChild<CardGrid *>(QStringLiteral("startRecent"));
     QTRY_COMPARE(recent->height(), ModelCard::kHeight); // one row
+}
+
+// Wrong: a strip as wide as a card stays empty beside the samples.
+void TestStartPage::cardsFillTheWidth()
+{
+    settings().addRecentFile(file("a.fff"));
+    open();
+    for (const int width : {1024, 1280, 1440, 1920}) {
+        m_page->resize(width, 640);
+        QTest::qWait(20);
+        const auto *grid = m_page->findChild<CardGrid *>(QStringLiteral("startSamples"));
+        int right = 0;
+        for (const auto *card : grid->findChildren<ModelCard *>()) {
+            right = std::max(right, card->geometry().right() + 1);
+            QVERIFY(card->width() >= ModelCard::kWidth && card->width() <= 240);
+        }
+        QVERIFY2(
+            right <= grid->width() && right > grid->width() - 16,
+            qPrintable(QStringLiteral("%1: %2 of %3").arg(width).arg(right).arg(grid->width())));
+    }
 }
 
 FFF_TEST_WITH(TestStartPage, [](int argc, char *argv[]) {
