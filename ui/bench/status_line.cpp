@@ -164,7 +164,15 @@ void StatusLine::refresh()
 void StatusLine::resizeEvent(QResizeEvent *event)
 {
     QStatusBar::resizeEvent(event);
-    const bool all = width() >= kWidthForAll;
+    showFields();
+}
+
+/// What an empty model measures is nothing to be told.
+void StatusLine::showFields()
+{
+    const bool isThere = m_bench.session().model().sectionCount() > 0;
+    const bool all = isThere && width() >= kWidthForAll;
+    m_count->setVisible(isThere);
     m_size->setVisible(all);
     m_mass->setVisible(all);
 }
@@ -200,6 +208,7 @@ void StatusLine::showNumbers()
     m_size->setText(sizeText({size.x(), size.y(), size.z()}, 0, locale()));
     m_mass->setText(massText(measures.mass(), locale()));
     m_units->setText(unitSign(settings().unit()));
+    showFields();
 }
 
 } // namespace fff::ui

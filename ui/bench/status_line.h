@@ -42,6 +42,7 @@ private:
     void showHint();
     void showSentence(const QString &marked, bool isRefusal);
     void showNumbers();
+    void showFields();
     QLabel *addField(const char *objectName, const QString &name);
 
     Workbench &m_bench;
