@@ -189,8 +189,15 @@ QPolygonF TourGuide::wayOfBody() const
 {
     const double size = std::min(m_view.width(), m_view.height()), half = 0.5 * m_view.height();
     const double ground = std::clamp(seen(Vec3::Zero()).y(), half + 0.1 * size, half + 0.45 * size);
-    return loaf(
-        {0.5 * m_view.width() - 0.32 * size, ground - 0.28 * size, 0.64 * size, 0.3 * size});
+    const double top = std::max(ground - 0.28 * size, underCard());
+    return loaf({0.5 * m_view.width() - 0.32 * size, top, 0.64 * size, ground + 0.02 * size - top});
+}
+
+/// Where the pointer does not cover the words that go with it.
+double TourGuide::underCard() const
+{
+    constexpr double kBelowCard = 14.0; // px
+    return m_card->isHidden() ? 0.0 : m_card->geometry().bottom() + kBelowCard;
 }
 
 /// Out of the middle of its upper edge.
@@ -213,7 +220,11 @@ QPolygonF TourGuide::wayOfSlit() const
         top = std::min(top, from.y() + share * (to.y() - from.y()));
     }
     const double half = 0.5 * (centre.y() - top);
-    return {{centre.x(), top + half}, {centre.x(), top - std::clamp(half, 24.0, 70.0)}};
+    const double end = std::max(top - std::clamp(half, 24.0, 70.0), underCard());
+    constexpr double kLeastOut = 12.0; // px: else it is not seen to leave the body
+    if (top - end < kLeastOut)
+        return {};
+    return {{centre.x(), top + half}, {centre.x(), end}};
 }
 
 /// Where nothing of the model is, at the side that has more room.

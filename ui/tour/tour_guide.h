@@ -41,6 +41,7 @@ private:
     /// Along which a hand would draw or turn, in the view.
     QPolygonF wayOf(Tour::Step step) const;
     QPolygonF wayOfBody() const;
+    double underCard() const;
     QPolygonF wayOfSlit() const;
     QPolygonF wayBeside() const;
     QPointF seen(const Vec3 &place) const;
