@@ -9865,8 +9865,8 @@
         <translation>Schlitz, der passt</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Seine Nummer auf einer Passprobe (im Menü Datei und bei den Dateien für die Werkstatt): setzt das Spiel</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Welcher der nummerierten Schlitze einer Passprobe die Platte am besten hält (zu schneiden aus dem Menü Datei oder aus den Dateien für die Werkstatt). Er setzt das Spiel.</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10317,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Genutzt: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Teile werden auf Platten gelegt…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10408,6 +10412,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Eine Platte aus %1 hat innerhalb der Ränder von %2 keinen Platz.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>Die Schnittfuge von %1 ist 0: Schlitze werden weiter und Teile kleiner, um so viel, wie die Maschine wegnimmt.</translation>
     </message>
 </context>
 <context>

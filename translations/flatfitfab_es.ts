@@ -9865,8 +9865,8 @@
         <translation>Ranura que encaja</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Su número en una pieza de prueba (en el menú Archivo y entre los archivos para el taller): fija la holgura</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Cuál de las ranuras numeradas de una pieza de prueba sujeta mejor la plancha (córtala: menú Archivo, o entre los archivos para el taller). Fija la holgura.</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10317,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Aprovechado: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Colocando las piezas en planchas…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10408,6 +10412,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Una plancha de %1 no tiene sitio entre márgenes de %2.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>El ancho de corte de %1 es 0: las ranuras quedan más anchas y las piezas más pequeñas, según lo que quite la máquina.</translation>
     </message>
 </context>
 <context>

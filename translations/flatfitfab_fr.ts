@@ -9865,8 +9865,8 @@
         <translation>Fente qui convient</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Son numéro sur une pièce d’essai (dans le menu Fichier, et parmi les fichiers pour l’atelier)&#xa0;: règle le jeu</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Laquelle des fentes numérotées d’une pièce d’essai tient le mieux la plaque (à découper : menu Fichier, ou parmi les fichiers pour l’atelier). Elle règle le jeu.</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10317,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Utilisation&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Disposition des pièces sur les plaques…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10408,6 +10412,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Une plaque de %1 n’a pas de place entre des marges de %2.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>Le trait de coupe de %1 est de 0 : les fentes seront plus larges et les pièces plus petites de ce que la machine enlève.</translation>
     </message>
 </context>
 <context>

@@ -9865,8 +9865,8 @@
         <translation>Fessura giusta</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Il suo numero su un provino d’incastro (nel menu File e tra i file per il laboratorio): imposta il gioco</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Quale delle fessure numerate di un provino d’incastro tiene meglio la lastra (da tagliare: menu File, o tra i file per il laboratorio). Imposta il gioco.</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10317,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Utilizzo: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Dispongo i pezzi sulle lastre…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10408,6 +10412,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Una lastra di %1 non ha spazio entro margini di %2.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>Il solco di taglio di %1 è 0: le fessure vengono più larghe e i pezzi più piccoli di quanto la macchina asporta.</translation>
     </message>
 </context>
 <context>

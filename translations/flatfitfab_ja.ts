@@ -9764,8 +9764,8 @@
         <translation>合ったスリット</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>テストピースの番号です（「ファイル」メニュー、または工房用一式にあります）: クリアランスを設定します</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>テストピースの番号付きスリットのうち、シートを最もよく保持するもの（「ファイル」メニュー、または工房用一式からカットします）。クリアランスを設定します。</translation>
     </message>
 </context>
 <context>
@@ -10216,6 +10216,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>使用率: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>部品をシートに配置しています…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10306,6 +10310,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>%1 のシートは余白 %2 の内側に場所がありません。</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>%1 の切断幅が 0 です: 機械が削る分だけ、スリットは広く、部品は小さくなります。</translation>
     </message>
 </context>
 <context>

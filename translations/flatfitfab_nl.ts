@@ -9865,8 +9865,8 @@
         <translation>Passende sleuf</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Het nummer ervan op een pasproef (in het menu Bestand, en bij de bestanden voor de werkplaats): stelt de speling in</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Welke van de genummerde sleuven van een pasproef de plaat het best vasthoudt (te snijden: menu Bestand, of bij de bestanden voor de werkplaats). Stelt de speling in.</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10317,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Gebruikt: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Onderdelen worden op platen gelegd…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10408,6 +10412,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Een plaat van %1 heeft geen ruimte binnen marges van %2.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>De snijbreedte van %1 is 0: sleuven worden breder en onderdelen kleiner, met wat de machine wegneemt.</translation>
     </message>
 </context>
 <context>

@@ -9966,8 +9966,8 @@
         <translation>Pasująca szczelina</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Jej numer na próbce pasowania (w menu Plik i wśród plików do warsztatu): ustawia luz</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Która z ponumerowanych szczelin próbki pasowania najlepiej trzyma arkusz (do wycięcia: menu Plik lub pliki do warsztatu). Ustawia luz.</translation>
     </message>
 </context>
 <context>
@@ -10418,6 +10418,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Wykorzystanie: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Rozkładanie części na arkuszach…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10510,6 +10514,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Arkusz materiału %1 nie ma miejsca między marginesami %2.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>Rzaz materiału %1 wynosi 0: szczeliny wyjdą szersze, a części mniejsze o to, co zabiera maszyna.</translation>
     </message>
 </context>
 <context>

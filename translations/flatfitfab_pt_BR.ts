@@ -9865,8 +9865,8 @@
         <translation>Fenda adequada</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>Seu número em uma peça de teste (no menu Arquivo e entre os arquivos para a oficina): define a folga</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Qual das fendas numeradas de uma peça de teste segura melhor a chapa (para cortar: menu Arquivo, ou entre os arquivos para a oficina). Define a folga.</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10317,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>Uso: %1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>Dispondo as peças nas chapas…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10408,6 +10412,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>Uma chapa de %1 não tem espaço dentro de margens de %2.</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>A largura de corte de %1 é 0: as fendas ficam mais largas e as peças menores, no tanto que a máquina remove.</translation>
     </message>
 </context>
 <context>

@@ -9764,8 +9764,8 @@
         <translation>合适的插槽</translation>
     </message>
     <message>
-        <source>Its number on a fit coupon (in the menu File, and among the files for the workshop): sets the clearance</source>
-        <translation>它在试片上的编号（试片在“文件”菜单和加工全套文件中）：用来设定间隙</translation>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>试片上编号的插槽中哪一个最能卡住板材（试片可从“文件”菜单或加工全套文件中切割）。用来设定间隙。</translation>
     </message>
 </context>
 <context>
@@ -10216,6 +10216,10 @@
         <extracomment>%1 is a number with a percent sign</extracomment>
         <translation>利用率：%1</translation>
     </message>
+    <message>
+        <source>Laying the parts on sheets…</source>
+        <translation>正在把零件排到板材上…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportQuestions</name>
@@ -10306,6 +10310,11 @@
         <source>A sheet of %1 has no room within margins of %2.</source>
         <extracomment>%1 is a stock, %2 a length</extracomment>
         <translation>%1 板材在 %2 边距内没有空间。</translation>
+    </message>
+    <message>
+        <source>The kerf width of %1 is 0: slits become wider, and parts smaller, by what the machine removes.</source>
+        <extracomment>%1 is a stock</extracomment>
+        <translation>%1 的切缝为 0：机器切掉多少，插槽就宽多少，零件就小多少。</translation>
     </message>
 </context>
 <context>

@@ -113,9 +113,9 @@ PropertyRow *fittedSlitRow(const std::function<double()> &clearance,
             return choices;
         },
         [write](int choice) { write(clearanceOfSlit(choice + 1)); }, parent);
-    row->setToolTip(CutRowsTexts::tr("Its number on a fit coupon (in the menu File, and among the "
-                                     "files for the workshop): sets the "
-                                     "clearance"));
+    row->setToolTip(CutRowsTexts::tr("Which of the numbered slits of a fit coupon holds the sheet "
+                                     "best (cut one: menu File, or among the files for the "
+                                     "workshop). It sets the clearance."));
     return row;
 }
 

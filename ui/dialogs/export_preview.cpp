@@ -153,8 +153,9 @@ void ExportPreview::showSheet()
                 .arg(sheet.number)
                 .arg(stockName(m_stocks.stock()),
                      sizeText({sheet.size.width(), sheet.size.height()}, 0, locale()));
-    } else if (!m_work.isWorking()) {
-        content.note = tr("There is nothing to cut.");
+    } else {
+        content.note =
+            m_work.isWorking() ? tr("Laying the parts on sheets…") : tr("There is nothing to cut.");
     }
     m_view->setContent(content);
 }

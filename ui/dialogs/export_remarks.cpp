@@ -81,6 +81,18 @@ void addOfDrawing(const CuttingWork &work, std::vector<ExportRemark> &remarks)
                      .arg(stockName(stock), lengthText(layout.margin, 0, 2, QLocale())),
                  {},
                  {}});
+    if (work.made()->nested->question->compensatesKerf)
+        for (const Stock &stock : cutting->drawing.stocks)
+            if (!(stock.kerf > 0.0)) // as models of FlatFab have it
+                remarks.push_back({Severity::Warning,
+                                   {},
+                                   //: %1 is a stock
+                                   ExportRemarksTexts::tr("The kerf width of %1 is 0: slits become "
+                                                          "wider, and parts smaller, by what the "
+                                                          "machine removes.")
+                                       .arg(stockName(stock)),
+                                   {},
+                                   {}});
     for (const CuttingRemark &remark : cuttingRemarks(*cutting))
         remarks.push_back({Severity::Warning,
                            {},
