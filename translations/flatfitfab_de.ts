@@ -15756,6 +15756,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>FlatFitFab models (%1)</source>
         <translation>FlatFitFab-Modelle (%1)</translation>
     </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StressCard</name>

@@ -15756,6 +15756,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Remove stock %1</source>
         <translation>Quitar el material %1</translation>
     </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StressCard</name>

@@ -15756,6 +15756,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Remove stock %1</source>
         <translation>Materiaal %1 verwijderen</translation>
     </message>
+    <message>
+        <source>Save…</source>
+        <translation>Opslaan…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Verwijderen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StressCard</name>

@@ -15890,6 +15890,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Remove stock %1</source>
         <translation>Usuń materiał: %1</translation>
     </message>
+    <message>
+        <source>Save…</source>
+        <translation>Zapisz…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StressCard</name>

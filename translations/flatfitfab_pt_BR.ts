@@ -15756,6 +15756,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Remove stock %1</source>
         <translation>Remover material %1</translation>
     </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salvar…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Remover</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StressCard</name>

@@ -15622,6 +15622,14 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Remove stock %1</source>
         <translation>移除材料 %1</translation>
     </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StressCard</name>

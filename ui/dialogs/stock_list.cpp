@@ -38,6 +38,7 @@ QToolButton *button(QWidget *parent, const char *objectName, const char *icon, c
     made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     made->setFocusPolicy(Qt::StrongFocus);
     made->setMinimumHeight(28);
+    made->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return made;
 }
 
@@ -59,23 +60,20 @@ StockList::StockList(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     m_add->setMenu(m_presets);
     m_copy = button(this, "stockCopy", "duplicate", tr("Duplicate"));
     m_copy->setToolTip(tr("Add a stock with the same numbers"));
-    m_save = button(this, "stockSave", "save", QString());
-    m_save->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_save = button(this, "stockSave", "save", tr("Save…"));
     m_save->setToolTip(tr("Save this stock in a file, for other models and other people"));
     m_save->setAccessibleName(tr("Save the stock in a file"));
-    m_remove = button(this, "stockRemove", "trash", QString());
-    m_remove->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_remove = button(this, "stockRemove", "trash", tr("Remove"));
     m_remove->setAccessibleName(tr("Remove the stock"));
     m_replacements = new QMenu(m_remove);
     m_remove->setPopupMode(QToolButton::InstantPopup);
 
-    auto *buttons = new QHBoxLayout;
+    auto *buttons = new QGridLayout;
     buttons->setSpacing(4);
-    buttons->addWidget(m_add);
-    buttons->addWidget(m_copy);
-    buttons->addStretch(1);
-    buttons->addWidget(m_save);
-    buttons->addWidget(m_remove);
+    buttons->addWidget(m_add, 0, 0);
+    buttons->addWidget(m_copy, 0, 1);
+    buttons->addWidget(m_save, 1, 0);
+    buttons->addWidget(m_remove, 1, 1);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
