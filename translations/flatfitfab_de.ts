@@ -3408,11 +3408,11 @@
         <translation>Das Modell ist zum Anpassen da; „Entwurf bearbeiten“ holt alles zurück</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Zum Anpassen weitergeben</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Weitergeben</translation>
     </message>
     <message>
@@ -8035,7 +8035,7 @@
         <translation>%1 abwickeln</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Zum Anpassen weitergeben</translation>
     </message>
     <message>
@@ -16332,7 +16332,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Überschrift darüber</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Er lässt sich einstellen, wo der Entwurf zum Anpassen weitergegeben wird</translation>
     </message>
     <message>
@@ -16474,7 +16474,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Entwurf bearbeiten</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Zum Anpassen weitergeben</translation>
     </message>
     <message>

@@ -3184,11 +3184,11 @@
         <translation>El modelo ya está en el suelo</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Compartir para adaptar</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Compartir</translation>
     </message>
     <message>
@@ -7946,7 +7946,7 @@
         <translation>Eliminar el preajuste %1</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Compartir para adaptar</translation>
     </message>
     <message>
@@ -16336,7 +16336,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Los demás pueden adaptarlo</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Se puede cambiar cuando el diseño se comparte para adaptar</translation>
     </message>
     <message>
@@ -16478,7 +16478,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Editar el diseño</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Compartir para adaptar</translation>
     </message>
     <message>

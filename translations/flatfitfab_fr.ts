@@ -3184,11 +3184,11 @@
         <translation>Le modèle est déjà au sol</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Transmettre pour réglage</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Transmettre</translation>
     </message>
     <message>
@@ -7946,7 +7946,7 @@
         <translation>Supprimer le préréglage %1</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Transmettre pour réglage</translation>
     </message>
     <message>
@@ -16336,7 +16336,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Réglable par d’autres</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Elle se règle là où la conception est transmise pour réglage</translation>
     </message>
     <message>
@@ -16478,7 +16478,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Modifier la conception</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Transmettre pour réglage</translation>
     </message>
     <message>

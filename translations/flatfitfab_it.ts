@@ -3184,11 +3184,11 @@
         <translation>Il modello poggia già sul suolo</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Condividi da adattare</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Condividi</translation>
     </message>
     <message>
@@ -7946,7 +7946,7 @@
         <translation>Elimina la preimpostazione %1</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Condividi da adattare</translation>
     </message>
     <message>
@@ -16336,7 +16336,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Altri lo possono regolare</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Si può impostare dove il progetto è condiviso da adattare</translation>
     </message>
     <message>
@@ -16478,7 +16478,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Modifica il progetto</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Condividi da adattare</translation>
     </message>
     <message>

@@ -3156,11 +3156,11 @@
         <translation>モデルはすでに地面に載っています</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>調整用に配布</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>配布</translation>
     </message>
     <message>
@@ -7858,7 +7858,7 @@
         <translation>プリセット %1 を削除</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>調整用に配布</translation>
     </message>
     <message>
@@ -16198,7 +16198,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>ほかの人も調整できる</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>設計を調整用に配布したとき、ほかの人が設定できます</translation>
     </message>
     <message>
@@ -16337,7 +16337,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>設計を編集</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>調整用に配布</translation>
     </message>
     <message>

@@ -3184,11 +3184,11 @@
         <translation>Het model staat al op de grond</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Doorgeven om aan te passen</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Doorgeven</translation>
     </message>
     <message>
@@ -7946,7 +7946,7 @@
         <translation>Voorinstelling %1 verwijderen</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Doorgeven om aan te passen</translation>
     </message>
     <message>
@@ -16336,7 +16336,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Anderen kunnen dit aanpassen</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Is in te stellen waar het ontwerp is doorgegeven om aan te passen</translation>
     </message>
     <message>
@@ -16478,7 +16478,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Ontwerp bewerken</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Doorgeven om aan te passen</translation>
     </message>
     <message>

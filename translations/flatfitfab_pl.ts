@@ -3212,11 +3212,11 @@
         <translation>Model już stoi na podłożu</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Udostępnij do dopasowania</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Udostępnij</translation>
     </message>
     <message>
@@ -8034,7 +8034,7 @@
         <translation>Usuń zestaw: %1</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Udostępnij do dopasowania</translation>
     </message>
     <message>
@@ -16474,7 +16474,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Inni mogą ją zmieniać</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Można ją ustawiać tam, gdzie projekt udostępniono do dopasowania</translation>
     </message>
     <message>
@@ -16619,7 +16619,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Edytuj projekt</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Udostępnij do dopasowania</translation>
     </message>
     <message>

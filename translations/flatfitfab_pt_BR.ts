@@ -3184,11 +3184,11 @@
         <translation>O modelo já está no chão</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Entregar para ajustes</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>Entregar</translation>
     </message>
     <message>
@@ -7946,7 +7946,7 @@
         <translation>Excluir a predefinição %1</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Entregar para ajustes</translation>
     </message>
     <message>
@@ -16336,7 +16336,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Outros podem ajustá-lo</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>Pode ser definido onde o projeto é entregue para ajustes</translation>
     </message>
     <message>
@@ -16478,7 +16478,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Editar o projeto</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>Entregar para ajustes</translation>
     </message>
     <message>

@@ -3156,11 +3156,11 @@
         <translation>模型已经在地面上</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>交给别人调整</translation>
     </message>
     <message>
-        <source>Hand on</source>
+        <source>Share</source>
         <translation>交付</translation>
     </message>
     <message>
@@ -7858,7 +7858,7 @@
         <translation>删除预设 %1</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>交给别人调整</translation>
     </message>
     <message>
@@ -16198,7 +16198,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>别人可以调整</translation>
     </message>
     <message>
-        <source>It can be set where the design is handed on for adjusting</source>
+        <source>It can be set where the design is shared for adjusting</source>
         <translation>设计交给别人调整时，可以设置它</translation>
     </message>
     <message>
@@ -16337,7 +16337,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>编辑设计</translation>
     </message>
     <message>
-        <source>Hand on for adjusting</source>
+        <source>Share for adjusting</source>
         <translation>交给别人调整</translation>
     </message>
     <message>

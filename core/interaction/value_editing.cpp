@@ -35,7 +35,7 @@ constexpr Text kPresetReplaced =
     FFF_TEXT("Hint", "“%1” is what is set now, in place of what it was.");
 //: %1 is what somebody took for the name of a preset
 constexpr Text kNoSuchPreset = FFF_TEXT("Hint", "There is no preset named “%1”.");
-constexpr Text kHandOn = FFF_TEXT("Step", "Hand on for adjusting");
+constexpr Text kHandOn = FFF_TEXT("Step", "Share for adjusting");
 constexpr Text kHandedOn = FFF_TEXT(
     "Hint", "This is what others see. Save the file and give it to them; it opens like this.");
 constexpr Text kEditDesign = FFF_TEXT("Step", "Edit the design");

@@ -17,8 +17,8 @@ namespace fff {
 namespace {
 
 constexpr CommandWords kValueWords[] = {
-    {"value.handOn", FFF_TEXT("Command", "Hand on for adjusting"), FFF_TEXT("Command", "Hand on"),
-     "", "hand_on",
+    {"value.handOn", FFF_TEXT("Command", "Share for adjusting"), FFF_TEXT("Command", "Share"), "",
+     "hand_on",
      FFF_TEXT("Command",
               "Whoever opens the saved model sees the view, the shown values and Export, "
               "and nothing else")}};

@@ -261,7 +261,7 @@ void ValueDetails::addRange()
 void ValueDetails::addShown()
 {
     auto *shown = new QCheckBox(tr("Others can adjust it"), this);
-    shown->setToolTip(tr("It can be set where the design is handed on for adjusting"));
+    shown->setToolTip(tr("It can be set where the design is shared for adjusting"));
     connect(shown, &QCheckBox::clicked, this, [this](bool isOn) {
         change([isOn](Value &of) {
             of.isShown = isOn;

@@ -174,7 +174,7 @@ void ValuesDock::refreshAround()
             : tr("Give a number a name: any field can use it, also in sums such as = 2*gap."));
     m_add->setVisible(!m_adjustsOnly);
     m_handOn->setVisible((m_adjustsOnly || hasShown) && m_bench.commands().isShown("value.handOn"));
-    m_handOn->setText(m_adjustsOnly ? tr("Edit the design") : tr("Hand on for adjusting"));
+    m_handOn->setText(m_adjustsOnly ? tr("Edit the design") : tr("Share for adjusting"));
     m_handOn->setToolTip(m_adjustsOnly
                              ? tr("Bring back drawing and all panels; when it is saved now, the "
                                   "file opens like that.")

@@ -206,7 +206,7 @@ void TestAdjusting::handingOnAndEditingAreSteps()
     show(handed(false));
     actionNamed("view.values")->trigger();
     QTRY_VERIFY(dock().isVisible());
-    QCOMPARE(actionNamed("value.handOn")->text(), QStringLiteral("Hand on for adjusting"));
+    QCOMPARE(actionNamed("value.handOn")->text(), QStringLiteral("Share for adjusting"));
     QTest::mouseClick(button("valuesHandOn"), Qt::LeftButton);
     QVERIFY(session().committed().document.opensForAdjusting);
     QCOMPARE(seenDocks(), QStringList{QStringLiteral("valuesDock")});
