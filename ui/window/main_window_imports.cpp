@@ -73,14 +73,18 @@ void MainWindow::connectTemplates()
         if (const Template *one = m_bench->session().committed().document.find(id))
             refill(id, QString::fromStdString(one->file), false);
     });
-    // Once it is here: where a file that is not found can be found again is shown at once.
+    // Once it is here: where a file that is not found can be found again is shown at once, and what
+    // is drawn over can be hidden and moved.
     connect(
         &m_bench->session(), &Session::replaced, this,
         [this] {
             const auto &all = m_bench->session().committed().document.templates;
-            if (!isOnlyAdjusted() &&
-                std::any_of(all.begin(), all.end(), [](const auto &one) { return !one->isRead(); }))
+            if (isOnlyAdjusted() || all.empty())
+                return;
+            if (std::any_of(all.begin(), all.end(), [](const auto &one) { return !one->isRead(); }))
                 m_layout->show(m_templates);
+            else
+                m_layout->offer(m_templates);
         },
         Qt::QueuedConnection);
     connect(m_templates, &TemplatesDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));

@@ -327,6 +327,21 @@ void WindowLayout::show(QDockWidget *dock)
         leaveViewItsShare(dock);
 }
 
+void WindowLayout::offer(QDockWidget *dock)
+{
+    if ((!m_only.docks.empty() && !m_only.has(dock)) || m_isHidden || !dock->isHidden())
+        return;
+    QDockWidget *inFront = nullptr;
+    for (QDockWidget *other : m_window.tabifiedDockWidgets(dock))
+        if (!other->visibleRegion().isEmpty())
+            inFront = other;
+    dock->show();
+    if (inFront)
+        inFront->raise();
+    if (isNarrow())
+        widenForTabs();
+}
+
 /// The window may have been higher when the dock was there last.
 void WindowLayout::leaveViewItsShare(QDockWidget *under)
 {

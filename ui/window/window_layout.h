@@ -68,6 +68,8 @@ public:
     /// Brings a dock to the front, wherever it is; the others too, if all were hidden. Nothing
     /// while another is the only one.
     void show(QDockWidget *dock);
+    /// Its tab is there, behind what is looked at.
+    void offer(QDockWidget *dock);
 
 Q_SIGNALS:
     void hiddenChanged(bool hidden);

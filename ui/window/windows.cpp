@@ -5,10 +5,12 @@
 #include "ui/bench/workbench.h"
 #include "ui/files/document_files.h"
 #include "ui/start/sample_texts.h"
+#include "ui/start/samples.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QScreen>
 
 namespace fff::ui {
@@ -21,6 +23,20 @@ bool isSameFile(const QString &a, const QString &b)
 {
     const QString one = QFileInfo(a).canonicalFilePath();
     return !one.isEmpty() && one == QFileInfo(b).canonicalFilePath();
+}
+
+/// A copy of a sample is called as its card says, as far as file systems take that.
+QString nameOfCopy(const QString &path)
+{
+    for (const Sample &sample : samples()) {
+        if (sample.path != path)
+            continue;
+        QString name = sample.name;
+        name.replace(QStringLiteral(": "), QStringLiteral(", "));
+        name.remove(QRegularExpression(QStringLiteral("[\\\\/:*?\"<>|]")));
+        return name + QStringLiteral(".fff");
+    }
+    return path;
 }
 
 void bringForward(MainWindow *window)
@@ -83,7 +99,7 @@ int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
         if (path.startsWith(u":/")) // samples, lessons
             loaded->document = inThisLanguage(loaded->document);
         MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
-        window->files().show(*loaded, path, asCopy);
+        window->files().show(*loaded, asCopy ? nameOfCopy(path) : path, asCopy);
         window->showDocument();
         // A sample with values is there to be adjusted.
         if (asCopy && hasShownValue(loaded->document.values))

@@ -80,6 +80,34 @@ private Q_SLOTS:
         }
     }
 
+    /// Wrong: a title, and a file to save, that are called acrylic_thin_three.fff.
+    void aCopyOfASampleIsCalledAsItsCard()
+    {
+        MainWindow window;
+        window.show();
+        openFiles(window, {QStringLiteral(":/samples/acrylic_thin_three.fff")}, true);
+        QCOMPARE(window.windowTitle(),
+                 QStringLiteral("Three thin legs, too weak.fff[*] \u2014 FlatFitFab"));
+    }
+
+    /// Wrong: the mesh that the bear is drawn over can neither be hidden nor moved until somebody
+    /// finds the panel; or that covers the list of sections.
+    void aModelDrawnOverAMeshHasItsTab()
+    {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const auto *templates = window.findChild<QDockWidget *>(QStringLiteral("templatesDock"));
+        const auto *outline = window.findChild<QDockWidget *>(QStringLiteral("outlineDock"));
+        QVERIFY(templates && outline && templates->isHidden());
+        openFiles(window, {QStringLiteral(":/samples/bear.fff")}, true);
+        QTRY_VERIFY(!templates->isHidden());
+        QTest::qWait(50);
+        QVERIFY(!outline->visibleRegion().isEmpty());
+        QVERIFY(templates->visibleRegion().isEmpty());
+    }
+
     /// Docks that were put back before the window is shown do not come up beside the page.
     void shownWithTheStartPage()
     {
