@@ -1502,6 +1502,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>Passt auf die Platte. %1 von %2.</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>Scheiben überschneiden sich etwas</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

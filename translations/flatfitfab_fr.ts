@@ -1502,6 +1502,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>Tient sur la plaque. %1 de %2.</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>Des sections se chevauchent un peu</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

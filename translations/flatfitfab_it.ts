@@ -1502,6 +1502,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>Entra nella lastra. %1 da %2.</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>Sezioni appena sovrapposte</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

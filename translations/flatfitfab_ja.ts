@@ -1474,6 +1474,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>シートに収まる。%1（%2）。</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>板が少し重なっている</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

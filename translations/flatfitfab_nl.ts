@@ -1502,6 +1502,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>Past op de plaat. %1 van %2.</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>Secties overlappen elkaar iets</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

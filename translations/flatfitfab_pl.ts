@@ -1530,6 +1530,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>Mieści się na arkuszu. %1, %2.</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>Płytki lekko się przenikają</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

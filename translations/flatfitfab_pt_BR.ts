@@ -1502,6 +1502,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>Cabe na chapa. %1 de %2.</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>Seções se sobrepõem um pouco</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

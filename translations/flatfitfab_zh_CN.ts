@@ -1474,6 +1474,10 @@
         <source>Fits the sheet. %1 of %2.</source>
         <translation>板材放得下。%1（%2）。</translation>
     </message>
+    <message>
+        <source>Sections overlap slightly</source>
+        <translation>插片略有重叠</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

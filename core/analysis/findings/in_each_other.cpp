@@ -67,6 +67,14 @@ Message interferenceSentence(const Finding &finding, const Model &model)
             {nameAt(finding, model, 0), nameAt(finding, model, 1), deep}};
 }
 
+/// What is filed away is told apart from what cannot be made, where both are in a list.
+Message interferenceTitle(const Finding &finding)
+{
+    return {finding.severity == Severity::Warning ? FFF_TEXT("Checks", "Sections overlap slightly")
+                                                  : kInterference.title,
+            {}};
+}
+
 Message shallowSentence(const Finding &finding, const Model &model)
 {
     const ShallowAngle &how = *finding.details<ShallowAngle>();
@@ -130,7 +138,8 @@ const FindingKind kInterference{.name = "interference",
                                 .title = FFF_TEXT("Checks", "Sections overlap"),
                                 .sentence = interferenceSentence,
                                 .actions = mendsOfPair,
-                                .advice = kMakeRoom};
+                                .advice = kMakeRoom,
+                                .titled = interferenceTitle};
 const FindingKind kShallowAngle{
     "shallowAngle",  Subject::Joints, FFF_TEXT("Checks", "Angle too flat"),
     shallowSentence, turnEither,      nullptr,
