@@ -67,7 +67,7 @@ constexpr double kLeastBeside = 5.0;
 constexpr double kLeastShare = 0.1;
 /// A small thing is looked at from no nearer than so many times as near as all: where in a model
 /// it is depends on the model, not on its own size.
-constexpr double kMostCloser = 5.0;
+constexpr double kMostCloser = 3.0;
 
 /// Round the slits of a joint, with what is beside them.
 std::vector<Vec3> pointsRound(const Model &model, const JointRef &joint)

@@ -228,7 +228,7 @@ private Q_SLOTS:
                     const bool isWhole = std::abs(now.millimetresPerPixel / all - 1.0) < 1e-9;
                     QVERIFY(isWhole || (size.array() < most.array() + kNear).all());
                     QVERIFY(now.millimetresPerPixel < all * 1.001);
-                    QVERIFY(now.millimetresPerPixel > all / 6.0); // in perspective: about
+                    QVERIFY(now.millimetresPerPixel > all / 3.6); // in perspective: about
                     halved += size.cwiseQuotient(most).maxCoeff() > 0.98 ? 1 : 0;
                 }
             }
@@ -244,7 +244,7 @@ private Q_SLOTS:
         desk.run("view.fitSelection", {{"share", "0.5"}});
         desk.wait(1000.0);
         const double ratio = large / desk.interaction.camera().millimetresPerPixel;
-        QVERIFY2(ratio > 4.5 && ratio < 6.0, qPrintable(QString::number(ratio)));
+        QVERIFY2(ratio > 2.7 && ratio < 3.6, qPrintable(QString::number(ratio)));
         QVERIFY(!desk.commands.run("view.fitSelection", {{"share", "0"}}, desk.time));
         QVERIFY(!desk.commands.run("view.fitSelection", {{"share", "1.5"}}, desk.time));
     }
