@@ -107,6 +107,13 @@ private:
     }
 };
 
+/// A space and a percent sign that stands for nothing else, from there on.
+bool isPercentSign(const QString &sentence, qsizetype from)
+{
+    return sentence.mid(from, 2) == u" %" &&
+           !(from + 2 < sentence.size() && sentence[from + 2].isDigit());
+}
+
 /// All places at once: what stands in one may itself have the sign of another.
 QString filled(const QString &sentence, const QStringList &arguments)
 {
@@ -120,6 +127,10 @@ QString filled(const QString &sentence, const QStringList &arguments)
         }
         whole += arguments[place - 1];
         ++i;
+        if (isPercentSign(sentence, i + 1)) { // stays with its number
+            whole += QChar(kThinSpace);
+            ++i;
+        }
     }
     return whole;
 }
