@@ -2,9 +2,8 @@
 
 #include "core/base/text.h"
 #include "core/base/tolerances.h"
-#include "core/geometry/boolean.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/raw_offset.h"
+#include "core/operations/hollow_walls.h"
 #include "core/operations/spine_planes.h"
 #include "core/templates/template_cut.h"
 
@@ -56,28 +55,6 @@ Frame frameAcross(int axis)
     }
 }
 
-/// How far what is left within a wall may be off, mm: nothing has to fit there.
-constexpr double kRoomError = 0.02;
-
-/// What is left in a contour within a wall of this width: nothing where there is no room.
-std::vector<Contour> roomIn(const Contour &contour, double wall)
-{
-    // Clockwise, its right is inside. What winds back there takes the frame's winding away, and
-    // where the offset has run over itself it adds to it.
-    const Result<RawOffset> inside =
-        rawOffset(contour.signedArea() > 0.0 ? contour.reversed() : contour, wall, kRoomError);
-    if (!inside)
-        return {};
-    const Box2 box = contour.bounds();
-    const Vec2 margin = Vec2::Constant(wall) + box.size();
-    const Vec2 low = box.min - margin, high = box.max + margin;
-    const Contour frame = Contour::ofPolygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
-    Result<std::vector<CurvedRegion>> regions =
-        windingRegions({frame, inside->contour}, WindingRule::NonZero, kRoomError);
-    return regions && !regions->empty() ? std::move(regions->front().holes)
-                                        : std::vector<Contour>();
-}
-
 class Slicer
 {
 public:
@@ -105,8 +82,6 @@ private:
     void add(const std::string &key, std::string name, const Frame &frame,
              const TemplateLoop &outer, const std::vector<const TemplateLoop *> &holes);
     void hollow(const Frame &frame, const Contour &contour, std::vector<Contour> &holes) const;
-    /// A room less the walls along the lines in which others cross the plane.
-    std::vector<Contour> roomsBetween(const Frame &frame, Contour room) const;
     bool isThin(const TemplateLoop &outer) const;
 
     OperationContext &m_context;
@@ -195,52 +170,16 @@ SlicePlanes Slicer::around(int axis) const
     return planes;
 }
 
-std::vector<Contour> Slicer::roomsBetween(const Frame &frame, Contour room) const
-{
-    if (m_crossing.empty() || m_context.operation().version < kWallsAtCrossings)
-        return {std::move(room)};
-    const Box2 box = room.bounds();
-    const double far = box.size().norm(), half = 0.5 * (m_context.number("wall") + m_thickness);
-    std::vector<Polygon> walls;
-    for (const Frame &other : m_crossing) {
-        const Vec2 slope = frame.directionToLocal(other.normal());
-        if (slope.norm() < std::sin(kMinJointAngle))
-            continue;
-        const Vec2 across = slope.normalized(), along = perpendicular(across);
-        const Vec2 foot =
-            box.center() - other.height(frame.toWorld(box.center())) / slope.norm() * across;
-        if ((foot - box.center()).norm() > far + half)
-            continue;
-        walls.push_back({foot - far * along - half * across, foot + far * along - half * across,
-                         foot + far * along + half * across, foot - far * along + half * across});
-    }
-    const Result<std::vector<CurvedRegion>> left = subtract(room, {}, walls, kRoomError);
-    if (!left)
-        return {};
-    std::vector<Contour> rooms;
-    for (const CurvedRegion &region : *left)
-        rooms.push_back(region.outer.reversed());
-    return rooms;
-}
-
-/// Takes out what lies within the wall. Not around holes of the template: their walls would hang in
-/// the air.
 void Slicer::hollow(const Frame &frame, const Contour &contour, std::vector<Contour> &holes) const
 {
-    std::vector<Vec2> kept;
-    for (const Contour &hole : holes)
-        kept.push_back(hole.points().front());
-    for (Contour &room : roomIn(contour, m_context.number("wall"))) {
-        const Polygon polygon = room.polygon(kDrawChord);
-        const bool isFree = std::none_of(kept.begin(), kept.end(), [&](const Vec2 &p) {
-            return locate(p, polygon) != Side::Outside;
-        });
-        if (!isFree)
-            continue;
-        for (Contour &part : roomsBetween(frame, std::move(room)))
-            if (std::abs(part.signedArea()) >= m_context.number("smallest"))
-                holes.push_back(std::move(part));
-    }
+    HollowOptions options;
+    options.wall = m_context.number("wall");
+    options.smallest = m_context.number("smallest");
+    options.thickness = m_thickness;
+    if (m_context.operation().version >= kWallsAtCrossings)
+        options.crossing = m_crossing;
+    for (Contour &hole : hollowOf(frame, contour, holes, options))
+        holes.push_back(std::move(hole));
 }
 
 void Slicer::add(const std::string &key, std::string name, const Frame &frame,

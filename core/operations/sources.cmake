@@ -17,6 +17,7 @@ target_sources(fff_core PRIVATE
     operations/net_model.cpp
     operations/grid.cpp
     operations/grid_cells.cpp
+    operations/hollow_walls.cpp
     operations/images.cpp
     operations/insertion.cpp
     operations/kept_slits.cpp
