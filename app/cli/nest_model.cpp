@@ -1,11 +1,10 @@
 #include "app/cli/nest.h"
 
+#include "app/cli/cutting_warnings.h"
 #include "core/analysis/cutting.h"
 #include "core/analysis/lying_parts.h"
-#include "core/fabrication/kerf.h"
 #include "core/fabrication/nested_layout.h"
 #include "core/fabrication/sheet_supply.h"
-#include "core/fabrication/wholeness.h"
 #include "core/io/json_writer.h"
 #include "core/nesting/nester.h"
 #include "core/operations/evaluate.h"
@@ -32,22 +31,19 @@ QString tr(const char *text)
 struct PartsToNest
 {
     std::vector<Part> parts;
-    Model model;
+    Analysis analysis;
+    const Model &model() const { return analysis.model; }
 };
 
+/// Nothing of what export refuses.
 Result<PartsToNest> partsToNest(Document document)
 {
     AnalysisCaches caches;
-    const Analysis analysis = analyse(evaluate(std::move(document)), caches);
-    if (const Result<void> known = haveParts(analysis.model, analysis.bodies); !known)
-        return tl::unexpected(known.error());
-    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
-    if (parts.empty())
-        return nothingToExport(analysis);
-    auto paths = compensateKerf(std::move(parts), analysis.model, analysis.bodies);
-    if (!paths)
-        return tl::unexpected(paths.error());
-    return PartsToNest{*std::move(paths), analysis.model};
+    Analysis analysis = analyse(evaluate(std::move(document)), caches);
+    Result<CutParts> cut = cutParts(analysis, true);
+    if (!cut)
+        return tl::unexpected(std::move(cut.error()));
+    return PartsToNest{std::move(cut->parts), std::move(analysis)};
 }
 
 bool isTooLarge(const Layout &layout, int part)
@@ -71,7 +67,7 @@ std::vector<std::string> namesOfTooLarge(const Layout &layout, const PartsToNest
     std::vector<std::string> names;
     for (const int index : layout.oversized) {
         const Part &part = of.parts[static_cast<std::size_t>(index)];
-        names.push_back(of.model.section(static_cast<std::size_t>(part.section))->name);
+        names.push_back(of.model().section(static_cast<std::size_t>(part.section))->name);
     }
     return names;
 }
@@ -87,7 +83,7 @@ void writeSheet(JsonWriter &json, const Sheet &sheet, const PartsToNest &of)
 {
     json.beginObject();
     json.member("size", sheet.size);
-    const Stock *stock = of.model.document.find(sheet.stock);
+    const Stock *stock = of.model().document.find(sheet.stock);
     json.member("stock", stock ? stock->name : std::string());
     if (sheet.index < 0)
         json.member("offcut", -sheet.index); // which of its stock's, from 1 on
@@ -131,7 +127,7 @@ QStringList nestText(const NestedLayout &nested, const PartsToNest &of)
     QStringList lines{tr("Parts: %1, sheets: %2")
                           .arg(QString::number(of.parts.size()), QString::number(sheets.size()))};
     for (const Sheet &sheet : sheets) {
-        const Stock *stock = of.model.document.find(sheet.stock);
+        const Stock *stock = of.model().document.find(sheet.stock);
         //: A sheet's size, its stock, how many parts lie on it, and how much of it they cover
         lines += tr("%1 × %2 mm, %3: %4 parts, %5 % covered")
                      .arg(QString::number(sheet.size.x()), QString::number(sheet.size.y()),
@@ -159,10 +155,10 @@ int nestModel(const QString &file, const DocumentOptions &documentOptions, const
     options.turning = asked.turning.value_or(options.turning);
     options.seed = asked.seed;
     options.work = nest::workOf(asked.seconds);
-    addWishes(of->model, bodiesOfParts(of->model, of->parts), options);
+    addWishes(of->model(), bodiesOfParts(of->model(), of->parts), options);
     const NestGuard guard(asked.seconds);
-    const NestedLayout nested = nestOut(of->parts, of->model, options, guard.work());
-    for (const auto &stock : of->model.document.stocks)
+    const NestedLayout nested = nestOut(of->parts, of->model(), options, guard.work());
+    for (const auto &stock : of->model().document.stocks)
         if (const int missing = missingSheets(nested.layout, *stock); missing > 0)
             //: %1 is a stock, %2 a number
             printError(tr("Sheets of %1 that are missing: %2")
@@ -170,6 +166,7 @@ int nestModel(const QString &file, const DocumentOptions &documentOptions, const
                            .arg(missing));
     for (const std::string &name : namesOfTooLarge(nested.layout, *of))
         printError(tr("%1: a part is too large for its sheet.").arg(QString::fromStdString(name)));
+    printWarnings(of->analysis);
     return asked.asJson ? print(nestJson(nested, *of, asked)) : printLines(nestText(nested, *of));
 }
 

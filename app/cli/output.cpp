@@ -1,11 +1,10 @@
 #include "app/cli/output.h"
 
 #include "app/cli/cut_options.h"
+#include "app/cli/cutting_warnings.h"
 #ifdef FFF_HAS_VIEW
 #include "app/cli/enclosed_steps.h"
 #endif
-#include "app/cli/info.h"
-#include "core/analysis/plan_checks.h"
 #include "core/fabrication/cutting_order.h"
 #include "core/fabrication/wholeness.h"
 #include "core/io/cutting_file.h"
@@ -17,7 +16,6 @@
 #include "core/model/machine_kerfs.h"
 #include "core/nesting/problem.h"
 #include "core/operations/evaluate.h"
-#include "core/session/finding_text.h"
 #include "core/skin/skin.h"
 
 #include <QFileInfo>
@@ -180,10 +178,7 @@ void printImpossible(const Analysis &analysis)
     printNames(
         QT_TRANSLATE_NOOP("CommandLine", "Cut away completely by slits, so there is no part: %1"),
         names);
-    const ModelPlan plan = planOf(analysis, timeLimit(kPlanningTime));
-    for (const Finding &finding : planChecks(analysis, plan))
-        if (finding.severity == Severity::Error)
-            printError(findingText(finding, analysis.model));
+    printWarnings(analysis);
 }
 
 void printOlder(const Wish &wish, std::size_t count)

@@ -87,6 +87,7 @@ private Q_SLOTS:
     void optionsOverrideTheDocument();
     void sheetsAsFiles();
     void whatCannotBeMadeIsSaid();
+    void whatIsWrongIsSaid();
     void solidsAreExported();
 
 private:
@@ -302,10 +303,62 @@ void TestCliExport::whatCannotBeMadeIsSaid()
     QVERIFY2(locked.err.contains("\nSections block each other. "), locked.err);
     QVERIFY(QFile::exists(path("out.svg")));
 
-    const Run plain =
-        exported(withSection(newDocument(), polygonShape(rectangle(-30, 0, 30, 60)), front()));
+    const Run plain = run({QStringLiteral("export"), QStringLiteral(FFF_SAMPLES "/bear.fff"),
+                           QStringLiteral("-o"), path("out.svg")});
     QCOMPARE(plain.status, 0);
     QCOMPARE(plain.err.count('\n'), 1);
+}
+
+// Wrong: `check` speaks of it, and who only exports cuts a sheet for nothing.
+void TestCliExport::whatIsWrongIsSaid()
+{
+    Document necked = withSection(newDocument(),
+                                  polygonShape({{-50, 0},
+                                                {-5, 0},
+                                                {-5, 20},
+                                                {5, 20},
+                                                {5, 0},
+                                                {50, 0},
+                                                {50, 40},
+                                                {5, 40},
+                                                {5, 20.3},
+                                                {-5, 20.3},
+                                                {-5, 40},
+                                                {-50, 40}}),
+                                  front());
+    necked = *renameSection(std::move(necked), necked.sections.front()->id, "Neck");
+    Document round = io::readDocument(path("pair.fff"))->document;
+    Stock milled = *round.stocks.front();
+    milled.slitEnd = SlitEnd::Dogbone;
+    milled.toolDiameter = 4.0;
+    round = *setStock(std::move(round), milled);
+    const std::pair<Document, QByteArray> cases[] = {
+        {necked, "Too little material. Neck is only 0.30"}, {round, "is narrower than the 4.00"}};
+    for (const auto &[document, says] : cases) {
+        QVERIFY(io::writeDocument(path("wrong.fff"), document));
+        for (const QStringList &verb :
+             {QStringList{QStringLiteral("export"), path("wrong.fff"), QStringLiteral("-o"),
+                          path("out.svg")},
+              QStringList{QStringLiteral("export"), path("wrong.fff"), QStringLiteral("-o"),
+                          path("out.stl")},
+              QStringList{QStringLiteral("nest"), path("wrong.fff"), QStringLiteral("--seconds"),
+                          QStringLiteral("0")}}) {
+            const Run told = run(verb);
+            QCOMPARE(told.status, 0);
+            QVERIFY2(told.err.contains(says), told.err);
+        }
+    }
+    // What the kerf closes is refused by both.
+    for (const char *verb : {"export", "nest"}) {
+        QStringList arguments{QLatin1String(verb), path("pair.fff"), QStringLiteral("--kerf"),
+                              QStringLiteral("3.5")};
+        if (arguments.front() == QStringLiteral("export"))
+            arguments += {QStringLiteral("-o"), path("closed.svg")};
+        const Run told = run(arguments);
+        QCOMPARE(told.status, 2);
+        QVERIFY2(told.err.contains("Section 1"), told.err);
+    }
+    QVERIFY(!QFile::exists(path("closed.svg")));
 }
 
 void TestCliExport::solidsAreExported()
