@@ -9337,8 +9337,17 @@
         <translation>Größe einer Platte, etwa 600x400; mit :N dahinter, wie viele es gibt.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Eine Platte anderer Größe, oder was von einer übrig ist, als größter Umriss einer .svg-Datei in wahrer Größe; wird vor ganzen aufgebraucht; mit :N dahinter so viele davon; kann wiederholt werden.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: Das Modell hat kein Material „%2“; es wird aus %3 geschnitten.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: Das Modell wird aus %2 geschnitten. Bitte sagen, wovon dieses ist, etwa „%3=%1“.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Eine Platte anderer Größe, oder was von einer übrig ist, als größter Umriss einer .svg-Datei in wahrer Größe, die vor ganzen aufgebraucht wird; mit :N dahinter so viele davon. Bei einem Modell aus mehreren Materialien mit dessen Namen davor: „Birch plywood=300x200“. Kann wiederholt werden.</translation>
     </message>
 </context>
 <context>

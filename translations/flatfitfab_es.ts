@@ -9337,8 +9337,17 @@
         <translation>Tamaño de una plancha, como 600x400; con :N detrás, cuántas hay.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Una plancha de otro tamaño, o lo que queda de una como el contorno más grande de un archivo .svg a tamaño real, que se gasta antes que las enteras; con :N detrás, tantas; se puede repetir.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: el modelo no tiene ningún material «%2»; se corta de %3.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: el modelo se corta de %2. Indica de cuál es este, como en «%3=%1».</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Una plancha de otro tamaño, o lo que queda de una como el contorno más grande de un archivo .svg a tamaño real, que se gasta antes que las enteras; con :N detrás, tantas de ellas. En un modelo de varios materiales, con el nombre del material delante: «Birch plywood=300x200». Se puede repetir.</translation>
     </message>
 </context>
 <context>

@@ -9337,8 +9337,17 @@
         <translation>Taille d’une plaque, par exemple 600x400 ; suivie de :N, combien il y en a.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Une plaque d’une autre taille, ou ce qui reste d’une plaque : le plus grand contour d’un fichier .svg en vraie grandeur ; utilisée avant les plaques entières ; suivie de :N, autant de fois ; peut être répété.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1 : le modèle n’a pas de matériau « %2 » ; il est découpé dans %3.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1 : le modèle est découpé dans %2. Indiquez de quel matériau est celle-ci, comme dans « %3=%1 ».</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Une plaque d’un autre format, ou ce qui reste d’une plaque comme plus grand contour d’un fichier .svg en grandeur réelle, utilisée avant les plaques entières ; suivie de :N, autant d’entre elles. Pour un modèle de plusieurs matériaux, précédée du nom du matériau : « Birch plywood=300x200 ». Peut être répété.</translation>
     </message>
 </context>
 <context>

@@ -9337,8 +9337,17 @@
         <translation>Misura di una lastra, come 600x400; seguita da :N, quante ce ne sono.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Una lastra di altra misura, o ciò che resta di una come la sagoma più grande di un file .svg in grandezza reale, usata prima di quelle intere; seguita da :N, così tante; si può ripetere.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: il modello non ha il materiale &quot;%2&quot;; è tagliato da %3.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: il modello è tagliato da %2. Indica di quale è questo, come in &quot;%3=%1&quot;.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Una lastra di un’altra misura, o ciò che ne resta come la sagoma più grande di un file .svg in scala reale, che si consuma prima di quelle intere; con :N dietro, altrettante. In un modello di più materiali, con il nome del materiale davanti: &quot;Birch plywood=300x200&quot;. Si può ripetere.</translation>
     </message>
 </context>
 <context>

@@ -9240,8 +9240,17 @@
         <translation>シートのサイズ (例: 600x400)。後ろに :N を付けると枚数。</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>別のサイズのシート、または残りを実寸の .svg ファイルの最大の輪郭線で指定します。新しいシートより先に使われます。後ろに :N を付けると枚数。繰り返し指定できます。</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: モデルに材料「%2」はありません。モデルは %3 からカットします。</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: モデルは %2 からカットします。「%3=%1」のように、どの材料の端材かを指定してください。</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>ほかの大きさのシート、または残ったシート（実寸の .svg ファイルのいちばん大きな輪郭線）。新しいシートより先に使います。後ろに :N を付けると、その枚数になります。材料が複数のモデルでは、「Birch plywood=300x200」のように材料の名前を前に付けます。繰り返し指定できます。</translation>
     </message>
 </context>
 <context>

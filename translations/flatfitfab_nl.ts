@@ -9337,8 +9337,17 @@
         <translation>Maat van een plaat, zoals 600x400; met :N erachter hoeveel er zijn.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Een plaat van een andere maat, of wat er van een over is als de grootste omtrek van een .svg-bestand op ware grootte, die vóór hele platen wordt opgebruikt; met :N erachter zoveel; mag herhaald worden.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: het model heeft geen materiaal &quot;%2&quot;; het wordt gesneden uit %3.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: het model wordt gesneden uit %2. Zeg van welk materiaal dit is, zoals in &quot;%3=%1&quot;.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Een plaat van een andere maat, of wat van een plaat over is als de grootste omtrek uit een .svg-bestand op ware grootte, die vóór hele platen wordt opgemaakt; met :N erachter zoveel ervan. Bij een model van meerdere materialen met de naam van het materiaal ervoor: &quot;Birch plywood=300x200&quot;. Mag worden herhaald.</translation>
     </message>
 </context>
 <context>

@@ -9434,8 +9434,17 @@
         <translation>Rozmiar arkusza, np. 600x400; z :N za nim, ile ich jest.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Arkusz innego rozmiaru lub to, co z niego zostało, jako największy obrys pliku .svg w prawdziwej wielkości; zużywany przed całymi; z :N za nim tyle sztuk; można powtarzać.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: model nie ma materiału „%2”; jest cięty z: %3.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: model jest cięty z: %2. Podaj, z czego jest ta resztka, np. „%3=%1”.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Arkusz innego rozmiaru albo to, co z niego zostało, jako największy obrys z pliku .svg w naturalnej wielkości; jest zużywany przed całymi. Z :N na końcu jest ich tyle. W modelu z kilku materiałów z nazwą materiału na początku: „Birch plywood=300x200”. Można powtarzać.</translation>
     </message>
 </context>
 <context>

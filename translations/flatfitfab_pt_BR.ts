@@ -9337,8 +9337,17 @@
         <translation>Tamanho de uma chapa, como 600x400; com :N atrás, quantas há.</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>Uma chapa de outro tamanho, ou o que sobrou de uma como o maior contorno de um arquivo .svg em tamanho real, usada antes das inteiras; com :N atrás, tantas delas; pode ser repetido.</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1: o modelo não tem o material &quot;%2&quot;; é cortado de %3.</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1: o modelo é cortado de %2. Diga de qual é este, como em &quot;%3=%1&quot;.</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>Uma chapa de outro tamanho, ou o que sobrou de uma como o maior contorno de um arquivo .svg em tamanho real, que é usada antes das inteiras; com :N atrás, tantas delas. Em um modelo de vários materiais, com o nome do material na frente: &quot;Birch plywood=300x200&quot;. Pode ser repetido.</translation>
     </message>
 </context>
 <context>

@@ -9240,8 +9240,17 @@
         <translation>板材尺寸，例如 600x400；后面加 :N 表示数量。</translation>
     </message>
     <message>
-        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them; may be repeated.</source>
-        <translation>其他尺寸的板材，或以实际尺寸 .svg 文件中最大的轮廓线表示的剩余部分，先于整张使用；后面加 :N 表示数量；可重复。</translation>
+        <source>--offcut %1: the model has no stock &quot;%2&quot;; it is cut from %3.</source>
+        <extracomment>%1 is what was typed, %2 the name of a stock, %3 names of stocks</extracomment>
+        <translation>--offcut %1：模型没有材料“%2”，它用 %3 切割。</translation>
+    </message>
+    <message>
+        <source>--offcut %1: the model is cut from %2. Say of which this one is, as in &quot;%3=%1&quot;.</source>
+        <translation>--offcut %1：模型用 %2 切割。请说明这是哪种材料的余料，例如“%3=%1”。</translation>
+    </message>
+    <message>
+        <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
+        <translation>另一种尺寸的板材，或用剩的板材（实际尺寸的 .svg 文件中最大的轮廓线），先于整张板材用完；后面加 :N 表示数量。模型有多种材料时，在前面加材料名称：“Birch plywood=300x200”。可以重复。</translation>
     </message>
 </context>
 <context>

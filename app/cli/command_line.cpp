@@ -162,8 +162,6 @@ QString whyNotStock(const std::string &field, const Stock &stock, const Document
         return tr("--thickness %1 leaves no room for slits in the stock %2: its clearance is %3 "
                   "mm.")
             .arg(QString::number(stock.thickness), name, QString::number(stock.clearance));
-    if (field == "spares")
-        return tr("--offcut: so many offcuts of the stock %1 are too many.").arg(name);
     return tr("--%1 does not fit the stock %2, which is %3 mm thick.")
         .arg(QString::fromStdString(field), name, QString::number(stock.thickness));
 }
@@ -386,7 +384,6 @@ std::optional<int> applyOptions(Document &document, const DocumentOptions &optio
     }
     for (const auto &pointer : std::vector(document.stocks)) {
         Stock stock = *pointer;
-        stock.spares.insert(stock.spares.end(), options.offcuts.begin(), options.offcuts.end());
         stock.thickness = options.thickness.value_or(stock.thickness);
         stock.kerf = options.kerf.value_or(stock.kerf);
         stock.clearance = options.clearance.value_or(stock.clearance);
@@ -398,7 +395,7 @@ std::optional<int> applyOptions(Document &document, const DocumentOptions &optio
             return wrongUse(verb, whyNotStock(next.error().place, stock, options));
         document = std::move(*next);
     }
-    return std::nullopt;
+    return applyOffcuts(document, options, verb);
 }
 
 Loaded load(const QString &file, const DocumentOptions &options, const Verb &verb)

@@ -74,13 +74,21 @@ QString purposeOf(const Verb &verb);
 /// what readers may be told (core/io/formats.h), and --verbose.
 void addDocumentOptions(QCommandLineParser &parser);
 
+/// A sheet besides those that its stock has.
+struct AskedOffcut
+{
+    QString text;  // as it was typed
+    QString stock; // its name; empty: the model's only one
+    SpareSheet sheet;
+};
+
 /// Their values, as asked for.
 struct DocumentOptions
 {
     std::optional<double> thickness, kerf, clearance; // mm
     std::optional<Vec2> sheet;                        // mm
     std::optional<int> sheetCount;                    // of whole ones
-    std::vector<SpareSheet> offcuts;                  // besides those of each stock
+    std::vector<AskedOffcut> offcuts;
     std::optional<QString> stock;
     QStringList values;       // NAME=VALUE
     io::FormatValues reading; // of the formats' options

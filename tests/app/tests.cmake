@@ -7,6 +7,7 @@ fff_tests(tests_app LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     app/tst_cli_facets
     app/tst_cli_input
     app/tst_cli_nest
+    app/tst_cli_offcuts
     app/tst_cli_simulate
     app/tst_cli_skin
     app/tst_cli_slices
