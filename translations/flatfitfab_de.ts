@@ -9349,6 +9349,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Eine Platte anderer Größe, oder was von einer übrig ist, als größter Umriss einer .svg-Datei in wahrer Größe, die vor ganzen aufgebraucht wird; mit :N dahinter so viele davon. Bei einem Modell aus mehreren Materialien mit dessen Namen davor: „Birch plywood=300x200“. Kann wiederholt werden.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Lässt nur Wände dieser Breite entlang der Konturen stehen, und wo andere kreuzen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

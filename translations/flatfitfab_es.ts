@@ -9349,6 +9349,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Una plancha de otro tamaño, o lo que queda de una como el contorno más grande de un archivo .svg a tamaño real, que se gasta antes que las enteras; con :N detrás, tantas de ellas. En un modelo de varios materiales, con el nombre del material delante: «Birch plywood=300x200». Se puede repetir.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Deja solo paredes de este ancho a lo largo de los contornos y donde otras cruzan.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9349,6 +9349,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Une plaque d’un autre format, ou ce qui reste d’une plaque comme plus grand contour d’un fichier .svg en grandeur réelle, utilisée avant les plaques entières ; suivie de :N, autant d’entre elles. Pour un modèle de plusieurs matériaux, précédée du nom du matériau : « Birch plywood=300x200 ». Peut être répété.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Ne laisse que des parois de cette largeur le long des contours et là où d’autres croisent.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

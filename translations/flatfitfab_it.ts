@@ -9349,6 +9349,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Una lastra di un’altra misura, o ciò che ne resta come la sagoma più grande di un file .svg in scala reale, che si consuma prima di quelle intere; con :N dietro, altrettante. In un modello di più materiali, con il nome del materiale davanti: &quot;Birch plywood=300x200&quot;. Si può ripetere.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Lascia solo pareti di questa larghezza lungo i contorni e dove altre incrociano.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

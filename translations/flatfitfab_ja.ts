@@ -9252,6 +9252,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>ほかの大きさのシート、または残ったシート（実寸の .svg ファイルのいちばん大きな輪郭線）。新しいシートより先に使います。後ろに :N を付けると、その枚数になります。材料が複数のモデルでは、「Birch plywood=300x200」のように材料の名前を前に付けます。繰り返し指定できます。</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>輪郭に沿った部分と、ほかの板が交わる部分に、この幅の壁だけを残します。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

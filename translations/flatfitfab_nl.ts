@@ -9349,6 +9349,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Een plaat van een andere maat, of wat van een plaat over is als de grootste omtrek uit een .svg-bestand op ware grootte, die vóór hele platen wordt opgemaakt; met :N erachter zoveel ervan. Bij een model van meerdere materialen met de naam van het materiaal ervoor: &quot;Birch plywood=300x200&quot;. Mag worden herhaald.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Laat alleen wanden van deze breedte over, langs de contouren en waar andere kruisen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9446,6 +9446,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Arkusz innego rozmiaru albo to, co z niego zostało, jako największy obrys z pliku .svg w naturalnej wielkości; jest zużywany przed całymi. Z :N na końcu jest ich tyle. W modelu z kilku materiałów z nazwą materiału na początku: „Birch plywood=300x200”. Można powtarzać.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Zostawia tylko ścianki tej szerokości wzdłuż konturów i tam, gdzie krzyżują się inne.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9349,6 +9349,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>Uma chapa de outro tamanho, ou o que sobrou de uma como o maior contorno de um arquivo .svg em tamanho real, que é usada antes das inteiras; com :N atrás, tantas delas. Em um modelo de vários materiais, com o nome do material na frente: &quot;Birch plywood=300x200&quot;. Pode ser repetido.</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>Deixa só paredes desta largura ao longo dos contornos e onde outras cruzam.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9252,6 +9252,10 @@
         <source>A sheet of another size, or what is left of one as the largest outline of an .svg file in true size, which is used up before whole ones; with :N behind it, so many of them. Of a model of several stocks with the stock&apos;s name in front: &quot;Birch plywood=300x200&quot;. May be repeated.</source>
         <translation>另一种尺寸的板材，或用剩的板材（实际尺寸的 .svg 文件中最大的轮廓线），先于整张板材用完；后面加 :N 表示数量。模型有多种材料时，在前面加材料名称：“Birch plywood=300x200”。可以重复。</translation>
     </message>
+    <message>
+        <source>Leaves only walls of this width along the contours, and where others cross.</source>
+        <translation>只留下沿轮廓以及与其他插片相交处、这个宽度的壁。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -51,6 +51,13 @@ Operation askedSlices(const QCommandLineParser &parser, const Verb &verb,
     else if (spacing && slices.parameters["direction"] == ParameterValue(std::string("radial")))
         status =
             wrongUse(verb, tr("--spacing: planes around an axis have none; expected --count."));
+    const ParameterSpec &wall = *kSlices.parameter("wall");
+    const std::optional<double> hollow =
+        status ? std::nullopt : number(parser, verb, "hollow", wall.least, status, wall.most);
+    if (hollow) {
+        slices.parameters.insert_or_assign("hollow", true);
+        slices.parameters.insert_or_assign("wall", *hollow);
+    }
     if (count)
         slices.parameters.insert_or_assign("count", static_cast<double>(*count));
     if (spacing) {
@@ -73,6 +80,10 @@ int runSlices(const QStringList &arguments)
     parser.addOption(
         {QStringLiteral("count"), tr("Planes in each direction (6)."), QStringLiteral("N")});
     parser.addOption({QStringLiteral("spacing"), tr("From plane to plane."), QStringLiteral("MM")});
+    parser.addOption({QStringLiteral("hollow"),
+                      tr("Leaves only walls of this width along the contours, and where others "
+                         "cross."),
+                      QStringLiteral("MM")});
     addDocumentOptions(parser);
     const Verb &verb = verbNamed("slices");
     const Arguments parsed = parse(parser, verb, arguments, 1);

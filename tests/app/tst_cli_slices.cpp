@@ -72,6 +72,7 @@ void TestCliSlices::theContract_data()
     QTest::newRow("across Z, by spacing")
         << QStringList{u"--along"_s, u"Z"_s, u"--spacing"_s, u"25"_s} << 4;
     QTest::newRow("a grid") << QStringList{u"--along"_s, u"XY"_s, u"--count"_s, u"3"_s} << 6;
+    QTest::newRow("hollow") << QStringList{u"--count"_s, u"2"_s, u"--hollow"_s, u"10"_s} << 4;
     QTest::newRow("around") << QStringList{u"--along"_s, u"radial"_s, u"--count"_s, u"7"_s} << 7;
 }
 
@@ -90,6 +91,9 @@ void TestCliSlices::theContract()
     // They are live: an operation of a mesh that the file holds, and stand on the ball.
     QCOMPARE(model.document.operations.size(), std::size_t(1));
     QCOMPARE(model.document.templates.size(), std::size_t(1));
+    const bool isHollow = options.contains(u"--hollow"_s);
+    for (const SectionPointer &section : model.sections())
+        QCOMPARE(section->shape->holes().empty(), !isHollow);
     for (const SectionPointer &section : model.sections())
         for (const Vec2 &p : section->shape->contour().polygon(0.01))
             QVERIFY(std::abs((section->frame.toWorld(p) - Vec3(0, 50, 0)).norm() - 50.0) < 0.5);
@@ -168,6 +172,8 @@ void TestCliSlices::wrongUse_data()
                           << QByteArray("expected one of them");
     QTest::newRow("a spacing of what is around")
         << u"a.obj -o b.fff --along radial --spacing 10"_s << QByteArray("expected --count");
+    QTest::newRow("a wall of nothing")
+        << u"a.obj -o b.fff --hollow 0"_s << QByteArray("--hollow: found \"0\"");
     QTest::newRow("no size") << u"a.obj -o b.fff --size 0"_s << QByteArray("--size: found \"0\"");
     QTest::newRow("a stock that nobody sells")
         << u"a.obj -o b.fff --stock Unobtainium"_s << QByteArray("There is no stock");
