@@ -9353,6 +9353,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Lässt nur Wände dieser Breite entlang der Konturen stehen, und wo andere kreuzen.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Graviert die Nummern jeder Verbindung in einer eigenen Farbe, die auf beiden Teilen dieselbe ist.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: Diese Art Datei kann sie nicht aufnehmen; erwartet wird %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10509,6 +10517,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Wird für dieses Material und die gewählte Maschine behalten</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>eine Farbe je Verbindung</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Verbindungsnummern</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>Beide Teile einer Verbindung tragen ihre Nummer in derselben Farbe: für Papier und für Maschinen, denen man je Farbe sagt, was zu tun ist</translation>
     </message>
 </context>
 <context>

@@ -9353,6 +9353,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Deja solo paredes de este ancho a lo largo de los contornos y donde otras cruzan.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Graba los números de cada unión en un color propio, el mismo en las dos piezas.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: este tipo de archivo no los admite; se esperaba %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10509,6 +10517,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Se guarda para este material y la máquina elegida</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>un color por unión</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Números de unión</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>Las dos piezas de una unión llevan su número en el mismo color: para papel y para máquinas a las que se dice qué hacer con cada color</translation>
     </message>
 </context>
 <context>

@@ -9353,6 +9353,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Ne laisse que des parois de cette largeur le long des contours et là où d’autres croisent.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Grave les numéros de chaque assemblage dans une couleur à lui, la même sur les deux pièces.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours : ce type de fichier ne peut pas les contenir ; %1 attendu.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10509,6 +10517,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Gardé pour ce matériau et la machine choisie</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>une couleur par assemblage</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Numéros d’assemblage</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>Les deux pièces d’un assemblage portent son numéro dans la même couleur : pour le papier, et pour les machines auxquelles on dit que faire de chaque couleur</translation>
     </message>
 </context>
 <context>

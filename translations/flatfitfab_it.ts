@@ -9353,6 +9353,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Lascia solo pareti di questa larghezza lungo i contorni e dove altre incrociano.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Incide i numeri di ogni incastro in un colore proprio, lo stesso su entrambi i pezzi.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: questo tipo di file non può contenerli; atteso %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10509,6 +10517,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Conservato per questo materiale e la macchina scelta</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>un colore per incastro</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Numeri degli incastri</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>I due pezzi di un incastro ne portano il numero nello stesso colore: per la carta, e per le macchine a cui si dice che cosa fare di ogni colore</translation>
     </message>
 </context>
 <context>

@@ -9256,6 +9256,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>輪郭に沿った部分と、ほかの板が交わる部分に、この幅の壁だけを残します。</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>接合部ごとに、両方の部品で同じ、それぞれの色で番号を彫刻します。</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: この種類のファイルには入れられません。%1 が必要です。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10407,6 +10415,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>この材料と選ばれた加工機について保存されます</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>接合部ごとに色を変える</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>接合部の番号</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>接合する 2 つの部品の番号を同じ色にします。紙に印刷するとき、または色ごとに動作を決める加工機で使います</translation>
     </message>
 </context>
 <context>

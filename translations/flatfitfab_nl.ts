@@ -9353,6 +9353,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Laat alleen wanden van deze breedte over, langs de contouren en waar andere kruisen.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Graveert de nummers van elke verbinding in een eigen kleur, op beide onderdelen dezelfde.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: dit soort bestand kan ze niet bevatten; verwacht %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10509,6 +10517,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Wordt bewaard voor dit materiaal en de gekozen machine</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>een kleur per verbinding</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Verbindingsnummers</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>De twee onderdelen van een verbinding hebben het nummer in dezelfde kleur: voor papier, en voor machines waaraan je per kleur zegt wat ze moeten doen</translation>
     </message>
 </context>
 <context>

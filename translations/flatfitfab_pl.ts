@@ -9450,6 +9450,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Zostawia tylko ścianki tej szerokości wzdłuż konturów i tam, gdzie krzyżują się inne.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Graweruje numery każdego połączenia w osobnym kolorze, takim samym na obu częściach.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: ten rodzaj pliku nie może ich zawierać; oczekiwano %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10611,6 +10619,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Pamiętane dla tego materiału i wybranej maszyny</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>kolor dla każdego połączenia</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Numery połączeń</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>Obie części połączenia mają jego numer w tym samym kolorze: na papier i dla maszyn, którym mówi się, co robić z każdym kolorem</translation>
     </message>
 </context>
 <context>

@@ -9353,6 +9353,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>Deixa só paredes desta largura ao longo dos contornos e onde outras cruzam.</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>Grava os números de cada encaixe em uma cor própria, a mesma nas duas peças.</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours: este tipo de arquivo não pode contê-las; esperado %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10509,6 +10517,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>Guardado para este material e a máquina escolhida</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>uma cor por encaixe</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>Números dos encaixes</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>As duas peças de um encaixe têm o número na mesma cor: para papel e para máquinas em que se define o que fazer com cada cor</translation>
     </message>
 </context>
 <context>

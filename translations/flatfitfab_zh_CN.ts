@@ -9256,6 +9256,14 @@
         <source>Leaves only walls of this width along the contours, and where others cross.</source>
         <translation>只留下沿轮廓以及与其他插片相交处、这个宽度的壁。</translation>
     </message>
+    <message>
+        <source>Engraves the numbers of each joint in a colour of its own, the same on both parts.</source>
+        <translation>用不同的颜色雕刻每个接头的编号，两个零件上颜色相同。</translation>
+    </message>
+    <message>
+        <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
+        <translation>--joint-colours：这种文件不支持，应为 %1。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -10407,6 +10415,18 @@
     <message>
         <source>Kept for this stock and the machine that is chosen</source>
         <translation>为此材料和所选机器保存</translation>
+    </message>
+    <message>
+        <source>a colour for each joint</source>
+        <translation>每个接头一种颜色</translation>
+    </message>
+    <message>
+        <source>Joint numbers</source>
+        <translation>接头编号</translation>
+    </message>
+    <message>
+        <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
+        <translation>接头的两个零件用同一种颜色写编号：用于纸张，也用于按颜色设定操作的机器</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,7 @@ std::optional<io::CuttingFileOptions> cuttingOptions(const QCommandLineParser &p
 {
     io::CuttingFileOptions options;
     options.hasReference = !parser.isSet(QStringLiteral("no-reference"));
+    options.hasJointColours = parser.isSet(QStringLiteral("joint-colours"));
     options.layout.turnsFreely = !parser.isSet(QStringLiteral("no-turning"));
     const auto length = [&](const char *name, double &value) {
         const QString text = parser.value(QLatin1String(name));
@@ -332,6 +333,9 @@ void addOutputOptions(QCommandLineParser &parser)
                       QStringLiteral("KIND")});
     parser.addOption(
         {QStringLiteral("no-reference"), tr("Leaves out the 100 mm bar beside the sheets.")});
+    parser.addOption({QStringLiteral("joint-colours"),
+                      tr("Engraves the numbers of each joint in a colour of its own, the same on "
+                         "both parts.")});
     parser.addOption({QStringLiteral("margin"), tr("From the sheet's edge to the nearest cut (5)."),
                       QStringLiteral("MM")});
     parser.addOption(
@@ -379,6 +383,9 @@ QString whyNoOutput(const QCommandLineParser &parser)
     if (parser.isSet(QStringLiteral("coupon")) && !formatOf(parser)->writesCutting())
         return tr("--coupon: this kind of file cannot hold it; expected %1.")
             .arg(suffixes(QStringLiteral("."), &io::Format::writesCutting));
+    if (parser.isSet(QStringLiteral("joint-colours")) && !formatOf(parser)->showsJointColours())
+        return tr("--joint-colours: this kind of file cannot hold them; expected %1.")
+            .arg(suffixes(QStringLiteral("."), &io::Format::showsJointColours));
     QString why;
     cuttingOptions(parser, why);
     return why;

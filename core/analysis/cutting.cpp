@@ -199,7 +199,8 @@ Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout
         addOnce(cutting.oversized, nameOf(analysis, parts.parts[static_cast<std::size_t>(index)]));
     cutting.drawing =
         cuttingDrawing(layout, std::move(parts.parts), std::move(parts.engravings), analysis.model,
-                       {extras.hasReference, parts.isKerfApplied, extras.machine, extras.finish});
+                       {extras.hasReference, parts.isKerfApplied, extras.machine, extras.finish,
+                        extras.hasJointColours});
     cutting.drawing.list = std::move(parts.list);
     return cutting;
 }

@@ -20,6 +20,7 @@ struct DrawingExtras
     bool hasReference = true; // a 100 mm bar beside the sheets, to check the printed size
     std::shared_ptr<const Machine> machine = nullptr; // that it is for; none: no particular one
     std::optional<CutFinish> finish = {};             // none: the machine's
+    bool hasJointColours = false;                     // numbers of joints in a colour for each
 };
 
 struct CuttingOptions : DrawingExtras

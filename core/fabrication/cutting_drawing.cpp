@@ -46,6 +46,7 @@ CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
     drawing.isKerfApplied = options.isKerfApplied;
     drawing.hasReference = options.hasReference;
     drawing.machine = options.machine;
+    drawing.hasJointColours = options.hasJointColours;
     for (const Sheet &sheet : layout.sheets) {
         CuttingSheet &all = drawing.sheets.emplace_back();
         all.number = static_cast<int>(drawing.sheets.size());
@@ -84,6 +85,7 @@ CuttingDrawing onSheet(const CuttingDrawing &drawing, std::size_t index)
     one.isKerfApplied = drawing.isKerfApplied;
     one.hasReference = drawing.hasReference;
     one.machine = drawing.machine;
+    one.hasJointColours = drawing.hasJointColours;
     one.list = drawing.list;
     std::copy_if(drawing.stocks.begin(), drawing.stocks.end(), std::back_inserter(one.stocks),
                  [&](const Stock &stock) { return stock.id == drawing.sheets[index].stock; });

@@ -91,8 +91,8 @@ public:
     /// As it is cut, in the part's own coordinates.
     const CurvedRegion &outline() const { return part().outline; }
     /// Its number, and those of its joints, sheet coordinates: stroke by stroke the points. Empty
-    /// where there is no room for any.
-    template <class Visit> // Visit(bool isFirstOfStroke, const Vec2 &)
+    /// where there is no room for any. joint: whose number it is; 0: the part's
+    template <class Visit> // Visit(bool isFirstOfStroke, const Vec2 &, int joint)
     void forLabel(const Visit &visit) const;
     /// Its own, which too slim parts do not bear.
     bool hasNumber() const { return engraving() && engraving()->hasNumber; }
@@ -138,6 +138,9 @@ struct CuttingDrawing
     bool isKerfApplied = false;
     bool hasReference = true; // a bar of 100 mm x 10 mm, to measure after cutting: a guide
     std::shared_ptr<const Machine> machine; // that it is for (machine.h); none: no particular one
+    /// The numbers of joints are in a colour for each (joint_colours.h), where a format has colours
+    /// that say nothing else.
+    bool hasJointColours = false;
 };
 
 struct DrawingOptions
@@ -146,6 +149,7 @@ struct DrawingOptions
     bool isKerfApplied = false; // what `parts` are: outlines as designed, or compensated already
     std::shared_ptr<const Machine> machine = nullptr;
     std::optional<CutFinish> finish = {}; // none: the machine's
+    bool hasJointColours = false;
 };
 
 /// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.
@@ -165,10 +169,12 @@ void CuttingPart::forLabel(const Visit &visit) const
     if (!hasLabel())
         return;
     const Strokes &strokes = engraving()->strokes;
+    const std::vector<int> &joints = engraving()->joints;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const int joint = i < joints.size() ? joints[i] : 0;
         bool isFirst = true;
         for (const Vec2 &p : strokes[i])
-            visit(std::exchange(isFirst, false), m_placement.apply(p));
+            visit(std::exchange(isFirst, false), m_placement.apply(p), joint);
     }
 }
 

@@ -53,9 +53,10 @@ void addLabel(const CuttingPart &part, std::size_t index, std::vector<ToolLine> 
 {
     ToolLine stroke{Purpose::Number, index, {}, false};
     Vec2 at = Vec2::Zero();
-    part.forLabel([&](bool isFirst, const Vec2 &p) {
+    part.forLabel([&](bool isFirst, const Vec2 &p, int joint) {
         if (isFirst)
-            addLine(std::exchange(stroke, ToolLine{Purpose::Number, index, {}, false}), lines);
+            addLine(std::exchange(stroke, ToolLine{Purpose::Number, index, {}, false, joint}),
+                    lines);
         else
             addCurve(CubicBezier::line(at, p), true, stroke);
         at = p;

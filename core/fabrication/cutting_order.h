@@ -15,6 +15,7 @@ struct ToolLine
     std::size_t part = 0;            // index in the sheet's
     std::vector<CubicBezier> curves; // each from where the one before ended, none without length
     bool isClosed = false;           // its last end is its first start, to the last bit
+    int joint = 0;                   // whose number it is of; 0: of none
 
     const Vec2 &start() const { return curves.front().p0; }
     const Vec2 &end() const { return curves.back().p3; }

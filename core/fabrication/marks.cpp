@@ -55,6 +55,7 @@ Engraving drawn(const Marks &marks)
     Engraving engraving;
     for (const Mark &joint : marks.joints) {
         appendJointNumber(joint.number, joint.box().min, joint.height, engraving.strokes);
+        engraving.joints.resize(engraving.strokes.size(), joint.number);
         engraving.boxes.push_back(joint.box());
     }
     engraving.jointsLeftOut = marks.leftOut;

@@ -23,6 +23,7 @@ inline constexpr double kHeightsApart = 2.0;
 struct Engraving
 {
     Strokes strokes;         // in the part's coordinates, mm
+    std::vector<int> joints; // of each stroke: whose number it is of; 0, or none: the part's
     std::vector<Box2> boxes; // one a mark: what it takes up
     bool hasNumber = false;
     MarkedLines lines;              // that a person drew there

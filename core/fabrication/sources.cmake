@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     fabrication/digits.cpp
     fabrication/hand_placing.cpp
     fabrication/fit_coupon.cpp
+    fabrication/joint_colours.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp
     fabrication/line_stations.cpp

@@ -64,6 +64,7 @@ struct Format
     const char *help = ""; // what `export` writes in it, within a sentence; context "CommandLine"
     std::vector<FormatOption> options = {};
     FileUse use = FileUse::Cutting; // of what is cut; solids and skins are FileUse::Solids
+    bool isColoured = false;        // its colours are to be looked at, or may be
 
     /// By the first bytes, whatever the file is called.
     bool (*recognises)(std::string_view bytes) = nullptr;
@@ -85,6 +86,7 @@ struct Format
     bool writesCutting() const { return writeCutting; }
     bool writesSolids() const { return writeSolids; }
     bool writesSkins() const { return writeSkin; }
+    bool showsJointColours() const { return isColoured; }
     bool isWritten() const { return writeModel || isExported(); }
     /// What is made from a model, for other programs and machines.
     bool isExported() const { return writeCutting || writeSolids || writeSkin; }

@@ -1,6 +1,7 @@
 #include "core/io/pdf_writer.h"
 
 #include "core/fabrication/cutting_order.h"
+#include "core/fabrication/joint_colours.h"
 #include "core/io/pdf_file.h"
 #include "core/io/pdf_tiles.h"
 #include "core/io/stacked_sheets.h"
@@ -31,15 +32,15 @@ Box2 boxOf(const ToolLine &line)
     return box;
 }
 
-void draw(const std::vector<ToolLine> &lines, const Machine &machine, double width, PdfPage &page,
-          const Box2 &within = {})
+void draw(const std::vector<ToolLine> &lines, const CuttingDrawing &drawing, double width,
+          PdfPage &page, const Box2 &within = {})
 {
     std::uint32_t colour = 0;
     bool isFirst = true;
     for (const ToolLine &line : lines) {
         if (!within.isEmpty() && !boxOf(line).intersects(within))
             continue;
-        const std::uint32_t next = machine.of(line.purpose).colour;
+        const std::uint32_t next = colourOf(line.purpose, line.joint, drawing);
         if (std::exchange(isFirst, false) || next != colour)
             page.pen(colour = next, width);
         page.curves(line.curves, line.isClosed);
@@ -69,7 +70,7 @@ std::vector<PdfPage> sheetPages(const CuttingDrawing &drawing)
                 for (std::size_t i = 0; i < ring.size(); ++i)
                     page.edge(ring[i], ring[(i + 1) % ring.size()]);
         }
-        draw(inCuttingOrder(sheet), machine, machine.stroke, page);
+        draw(inCuttingOrder(sheet), drawing, machine.stroke, page);
     }
     if (hasBar(drawing)) {
         PdfPage &page = pages.emplace_back(kReferenceSize + Vec2::Constant(2.0 * kReferenceMargin));
@@ -135,7 +136,6 @@ void addFoot(const CuttingDrawing &drawing, const CuttingSheet &sheet, const Pdf
 
 std::vector<PdfPage> paperPages(const CuttingDrawing &drawing, const Vec2 &paper)
 {
-    const Machine &machine = machineOf(drawing);
     std::vector<PdfPage> pages;
     for (const CuttingSheet &sheet : drawing.sheets) {
         const std::vector<ToolLine> lines = toolLines(sheet);
@@ -158,7 +158,7 @@ std::vector<PdfPage> paperPages(const CuttingDrawing &drawing, const Vec2 &paper
             PdfPage &page = pages.emplace_back(tiles.paper);
             const Vec2 margin = Vec2::Constant(kPaperMargin);
             page.beginClip(margin, tiles.room(), margin - tile.corner);
-            draw(lines, machine, kPaperStroke, page, shown);
+            draw(lines, drawing, kPaperStroke, page, shown);
             page.endClip();
             addSeams(tiles, tile, page);
             addFoot(drawing, sheet, tiles, tile, page);
@@ -201,6 +201,7 @@ const Format &pdfFormat()
                                  {.name = "letter",
                                   .title = QT_TRANSLATE_NOOP("Format", "PDF, tiled on Letter"),
                                   .use = FileUse::Paper}}}},
+        .isColoured = true,
         .writeCutting = [](const CuttingDrawing &drawing,
                            const FormatValues &values) -> Result<std::string> {
             return writePdf(drawing, static_cast<PdfPaper>(valueOf(values, kPaperOption, 0.0)));

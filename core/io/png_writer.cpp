@@ -1,6 +1,7 @@
 #include "core/io/png_writer.h"
 
 #include "core/fabrication/cutting_order.h"
+#include "core/fabrication/joint_colours.h"
 #include "core/io/stacked_sheets.h"
 
 #include <QtCore/QBuffer>
@@ -32,7 +33,6 @@ QPainterPath pathOf(const ToolLine &line)
 
 void paint(const CuttingDrawing &drawing, const StackedSheets &stack, QPainter &painter)
 {
-    const Machine &machine = machineOf(drawing);
     const auto pen = [&painter](QRgb colour) {
         QPen line{QColor::fromRgb(colour), kLineInPixels};
         line.setCosmetic(true);
@@ -50,7 +50,7 @@ void paint(const CuttingDrawing &drawing, const StackedSheets &stack, QPainter &
             painter.drawPolygon(edge);
         }
         for (const ToolLine &line : toolLines(drawing.sheets[i])) {
-            pen(machine.of(line.purpose).colour);
+            pen(colourOf(line.purpose, line.joint, drawing));
             painter.drawPath(pathOf(line));
         }
         painter.restore();
@@ -98,6 +98,7 @@ const Format &pngFormat()
         .titleOfSheets = QT_TRANSLATE_NOOP("Format", "Pictures, one for each sheet"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "a picture of the sheets"),
         .use = FileUse::Paper,
+        .isColoured = true,
         .writeCutting = [](const CuttingDrawing &drawing, const FormatValues &) {
             return writePng(drawing);
         }};

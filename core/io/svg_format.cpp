@@ -37,6 +37,7 @@ const Format &svgFormat()
         .title = QT_TRANSLATE_NOOP("Format", "SVG, true to size"),
         .titleOfSheets = QT_TRANSLATE_NOOP("Format", "SVG, one for each sheet"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "cutting files, true to size"),
+        .isColoured = true,
         .recognises =
             [](std::string_view bytes) { return isCompressed(bytes) || looksLikeXml(bytes); },
         .readDrawing = read,

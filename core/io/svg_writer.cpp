@@ -1,6 +1,7 @@
 #include "core/io/svg_writer.h"
 
 #include "core/fabrication/cutting_order.h"
+#include "core/fabrication/joint_colours.h"
 #include "core/fabrication/machine.h"
 #include "core/io/drawing_text.h"
 #include "core/io/stacked_sheets.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -76,14 +78,6 @@ void addFollowed(const ToolLine &line, const Transform &transform, DrawingText &
         out << " Z";
 }
 
-void addLabel(const CuttingPart &part, const Transform &transform, DrawingText &out)
-{
-    std::string_view start = "M ";
-    part.forLabel([&](bool isFirst, const Vec2 &p) {
-        out.addPoint<Decimals::Three>(isFirst ? std::exchange(start, " M ") : " L ", transform(p));
-    });
-}
-
 std::string hexColour(std::uint32_t colour)
 {
     constexpr std::string_view kDigits = "0123456789abcdef";
@@ -97,19 +91,50 @@ std::string hexColour(std::uint32_t colour)
 class SvgColours
 {
 public:
-    explicit SvgColours(const Machine &machine)
+    explicit SvgColours(const CuttingDrawing &drawing) : m_drawing(drawing)
     {
         for (std::size_t i = 0; i < kPurposes; ++i)
-            m_texts[i] = hexColour(machine.processes[i].colour);
+            m_texts[i] = hexColour(machineOf(drawing).processes[i].colour);
     }
     std::string_view of(Purpose purpose) const
     {
         return m_texts[static_cast<std::size_t>(purpose)];
     }
+    /// Whether numbers of joints are not simply in that of numbers.
+    bool hasJoints() const { return m_drawing.hasJointColours; }
+    std::string ofJoint(int joint) const
+    {
+        return hexColour(colourOf(Purpose::Number, joint, m_drawing));
+    }
 
 private:
+    const CuttingDrawing &m_drawing;
     std::array<std::string, kPurposes> m_texts;
 };
+
+/// One path for all numbers, or one for each where those of joints have colours.
+void addLabel(const CuttingPart &part, const Transform &transform, const SvgColours &colours,
+              DrawingText &out)
+{
+    std::optional<int> last; // whose number it is
+    part.forLabel([&](bool isFirst, const Vec2 &p, int joint) {
+        const bool isNext = isFirst && (!last || (colours.hasJoints() && joint != *last));
+        if (isNext) {
+            if (last)
+                out << "\"/>\n";
+            out << "      <path stroke=\"";
+            if (colours.hasJoints() && joint > 0)
+                out << colours.ofJoint(joint);
+            else
+                out << colours.of(Purpose::Number);
+            out << "\" d=\"";
+            last = joint;
+        }
+        out.addPoint<Decimals::Three>(isNext ? "M " : isFirst ? " M " : " L ", transform(p));
+    });
+    if (last)
+        out << "\"/>\n";
+}
 
 void addRectangle(const Vec2 &corner, const Vec2 &size, const SvgColours &colours, DrawingText &out)
 {
@@ -148,8 +173,7 @@ void addPart(const CuttingPart &part, const std::vector<ToolLine> &followed,
     };
     out << "    <g id=\"part-" << std::to_string(part.number()) << "\">\n      <title>"
         << escaped(part.name()) << "</title>\n";
-    if (part.hasLabel())
-        path(Purpose::Number, [&] { addLabel(part, transform, out); });
+    addLabel(part, transform, colours, out);
     for (const ToolLine &line : followed)
         if (line.purpose != Purpose::Number)
             path(line.purpose, [&] { addFollowed(line, transform, out); });
@@ -226,7 +250,7 @@ std::string writeSvg(const CuttingDrawing &drawing)
         << size.y() << "\">\n";
     addMetadata(drawing, out);
     const Machine &machine = machineOf(drawing);
-    const SvgColours colours(machine);
+    const SvgColours colours(drawing);
     double top = 0.0;
     for (const CuttingSheet &sheet : drawing.sheets) {
         out << "  <g id=\"sheet-" << std::to_string(sheet.number)

@@ -104,6 +104,7 @@ const Format &workshopFormat()
         .titleOfFolder = QT_TRANSLATE_NOOP("Format", "All for the workshop, in a folder"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "all for a workshop"),
         .use = FileUse::Workshop,
+        .isColoured = true,
         .writeCutting = [](const CuttingDrawing &drawing,
                            const FormatValues &) { return writeWorkshopArchive(drawing); },
         .writeUnpacked = workshopFiles};

@@ -71,6 +71,8 @@ void TestCliCuts::wrongUse_data()
     row("no width", {u"--tabs"_s, u"3:"_s}, "--tabs: found \"3:\"");
     row("a width of nothing", {u"--tabs"_s, u"3:0"_s}, "--tabs: found \"3:0\"");
     row("three numbers", {u"--tabs"_s, u"3:1:1"_s}, "--tabs: found \"3:1:1\"");
+    row("joints' colours in layers", {u"--joint-colours"_s, u"--format"_s, u"dxf"_s},
+        "--joint-colours: this kind of file cannot hold them; expected .svg");
     row("a lead backwards", {u"--lead"_s, u"-1"_s}, "--lead: found \"-1\"");
     row("an endless lead", {u"--lead"_s, u"inf"_s}, "--lead: found \"inf\"");
     row("a coupon that is a solid", {u"--coupon"_s, u"--format"_s, u"obj"_s}, "--coupon: ");

@@ -13,15 +13,17 @@ namespace fff::ui {
 
 namespace {
 
-std::vector<SheetPaths> pathsWith(const Nested &nested, const CutFinish &finish)
+std::vector<SheetPaths> pathsWith(const Nested &nested, const CutFinish &finish,
+                                  bool hasJointColours)
 {
     if (!nested.cutting)
         return {};
-    if (finish.isPlain())
+    if (finish.isPlain() && !hasJointColours)
         return sheetPaths(nested.cutting->drawing);
     CuttingDrawing drawing = nested.cutting->drawing; // its parts' lines are shared
     for (CuttingSheet &sheet : drawing.sheets)
         sheet.finish = finish;
+    drawing.hasJointColours = hasJointColours;
     return sheetPaths(drawing);
 }
 
@@ -61,10 +63,16 @@ void CuttingWork::setWanted(bool isWanted)
     m_nesting->setWanted(this, isWanted);
 }
 
-void CuttingWork::setFinish(const CutFinish &finish)
+void CuttingWork::setLook(const CutFinish &finish, bool hasJointColours)
 {
     m_finish = finish;
+    m_hasJointColours = hasJointColours;
     begin();
+}
+
+bool CuttingWork::isAsked(const Made &made) const
+{
+    return made.finish == m_finish && made.hasJointColours == m_hasJointColours;
 }
 
 const Cutting *CuttingWork::cutting() const
@@ -84,8 +92,8 @@ bool CuttingWork::isWorking() const
 {
     if (m_session.scheduler().whyNot(kNested.name))
         return false;
-    return m_isRunning || !m_made || m_made->nested != m_nesting->result() ||
-           m_made->finish != m_finish || !m_nesting->isCurrent();
+    return m_isRunning || !m_made || m_made->nested != m_nesting->result() || !isAsked(*m_made) ||
+           !m_nesting->isCurrent();
 }
 
 void CuttingWork::begin()
@@ -93,12 +101,13 @@ void CuttingWork::begin()
     if (m_isRunning)
         return; // what is newest by then follows when it is done
     const std::shared_ptr<const Nested> nested = m_nesting->result();
-    if (!nested || (m_made && m_made->nested == nested && m_made->finish == m_finish))
+    if (!nested || (m_made && m_made->nested == nested && isAsked(*m_made)))
         return;
     m_isRunning = true;
-    QThreadPool::globalInstance()->start([mail = m_mail, nested, finish = m_finish] {
-        auto made = std::make_shared<const Made>(
-            Made{nested->analysis, nested, finish, pathsWith(*nested, finish)});
+    QThreadPool::globalInstance()->start([mail = m_mail, nested, finish = m_finish,
+                                          isColoured = m_hasJointColours] {
+        auto made = std::make_shared<const Made>(Made{nested->analysis, nested, finish, isColoured,
+                                                      pathsWith(*nested, finish, isColoured)});
         const std::scoped_lock lock(mail->mutex);
         if (CuttingWork *to = mail->to)
             QMetaObject::invokeMethod(

@@ -32,14 +32,16 @@ public:
     /// Nothing is worked out for it while it is not wanted, as at first.
     void setWanted(bool isWanted);
 
-    /// How cuts are made; none but what is closed until somebody says.
-    void setFinish(const CutFinish &finish);
+    /// How cuts are made; none but what is closed until somebody says. And whether the numbers of
+    /// joints are in a colour for each.
+    void setLook(const CutFinish &finish, bool hasJointColours = false);
 
     struct Made
     {
         AnalysisPointer analysis; // that it was made of
         std::shared_ptr<const Nested> nested;
         CutFinish finish;
+        bool hasJointColours = false;
         std::vector<SheetPaths> sheets; // of its drawing, with that
     };
     /// The newest that is known; null at first. Stays while something newer is worked out.
@@ -56,6 +58,7 @@ Q_SIGNALS:
 private:
     struct Mail;
 
+    bool isAsked(const Made &made) const; // as it is to look
     void begin();
     void take(std::shared_ptr<const Made> made);
 
@@ -64,6 +67,7 @@ private:
     std::shared_ptr<Mail> m_mail; // to here, as long as this lives
     std::shared_ptr<const Made> m_made;
     CutFinish m_finish;
+    bool m_hasJointColours = false;
     bool m_isRunning = false;
 };
 

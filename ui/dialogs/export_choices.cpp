@@ -15,6 +15,7 @@ const QString kSpacingKey = QStringLiteral("export/spacing"),
               kTurnsKey = QStringLiteral("export/turnsFreely"), // of versions before:
     kTurningKey = QStringLiteral("export/turning"), kHolesKey = QStringLiteral("export/fillsHoles"),
               kReferenceKey = QStringLiteral("export/reference"),
+              kJointColoursKey = QStringLiteral("export/jointColours"),
               kMachineKey = QStringLiteral("export/machine"),
               kTabsKey = QStringLiteral("export/bridges"),
               kTabWidthKey = QStringLiteral("export/bridgeWidth"),
@@ -81,6 +82,7 @@ CuttingOptions ExportChoices::cutting() const
     options.layout = layout;
     options.nesting = nesting();
     options.hasReference = hasReference;
+    options.hasJointColours = hasJointColours;
     options.finish = finish;
     options.machine = chosenMachine();
     return options;
@@ -109,6 +111,7 @@ ExportChoices rememberedChoices()
     choices.turning = turningKept();
     choices.fillsHoles = switchKept(kHolesKey, choices.fillsHoles);
     choices.hasReference = switchKept(kReferenceKey, choices.hasReference);
+    choices.hasJointColours = switchKept(kJointColoursKey, choices.hasJointColours);
     choices.finish = finishKept();
     choices.machine = settings().memory(kMachineKey).toString();
     choices.opensFolder = switchKept(kFolderKey, choices.opensFolder);
@@ -125,6 +128,7 @@ void rememberChoices(const ExportChoices &choices)
                          QLatin1String(kTurnings[static_cast<std::size_t>(choices.turning)]));
     settings().setMemory(kHolesKey, choices.fillsHoles);
     settings().setMemory(kReferenceKey, choices.hasReference);
+    settings().setMemory(kJointColoursKey, choices.hasJointColours);
     const CutFinish finish = choices.finish.value_or(CutFinish());
     settings().setMemory(kOwnCutsKey, choices.finish.has_value());
     settings().setMemory(kTabsKey, finish.tabs);

@@ -24,8 +24,9 @@ struct ExportFile
     io::FileUse use = io::FileUse::Cutting;
     bool isSolids = false; // has no sheets, nor a kerf
     bool isFilePerSheet = false;
-    bool isSkin = false;   // of those without sheets, the one that has no parts either
-    bool isFolder = false; // of several files
+    bool isSkin = false;     // of those without sheets, the one that has no parts either
+    bool isFolder = false;   // of several files
+    bool isColoured = false; // its colours are looked at, or may be
 };
 
 struct ExportChoices
@@ -35,6 +36,7 @@ struct ExportChoices
     nest::Turning turning = nest::Turning::Free;
     bool fillsHoles = true; // parts lie in holes of others
     bool hasReference = true;
+    bool hasJointColours = false;    // where the file's colours are looked at
     std::optional<CutFinish> finish; // none: as the machine has it
     QString machine; // key in the library (core/io/machine_library.h); empty: none in particular
     bool opensFolder = false; // afterwards

@@ -57,7 +57,7 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     m_stocks = new StockEdits(bench, this);
     bench.nesting().setOptions(m_choices.nesting());
     m_work = new CuttingWork(bench.session(), bench.nesting(), this);
-    m_work->setFinish(m_choices.cuts());
+    m_work->setLook(m_choices.cuts());
     m_work->setWanted(true);
 
     auto *middle = new QHBoxLayout;
@@ -81,7 +81,7 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
     connect(&m_questions->place(), &ExportPlaceRow::changeWanted, this, &ExportDialog::changePlace);
     const auto takeLayout = [this] {
         m_bench.nesting().setOptions(m_choices.nesting());
-        m_work->setFinish(m_choices.cuts());
+        takeLook();
         m_preview->refresh(); // margin and bar at once
     };
     connect(m_rows, &ExportRows::layoutChanged, this, takeLayout);
@@ -167,11 +167,18 @@ QWidget *ExportDialog::makeFoot()
     return foot;
 }
 
+/// As the file will have it.
+void ExportDialog::takeLook()
+{
+    m_work->setLook(m_choices.cuts(), file().isColoured && m_choices.hasJointColours);
+}
+
 void ExportDialog::takeFile()
 {
     m_choices.file = file().key;
     m_choices.files = m_questions->chosenFiles();
-    m_rows->setSolids(file().isSolids);
+    m_rows->setFile(file());
+    takeLook();
     m_preview->setFile(file());
     refresh();
 }

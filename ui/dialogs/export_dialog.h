@@ -64,6 +64,7 @@ private:
     void refresh();
     void refreshFoot();
     void takeLeastWidth();
+    void takeLook();
     void takeFile();
     void showPlace();
     void changePlace();

@@ -124,6 +124,19 @@ PropertyGroup *ExportRows::makeLayout()
     });
     group->add(reference);
     m_rows.push_back(reference);
+    auto *colours = new QCheckBox(tr("a colour for each joint"));
+    m_jointColours = new EditorRow(
+        tr("Joint numbers"), "exportJointColours", colours,
+        [this, colours] { colours->setChecked(m_choices.hasJointColours); }, group);
+    m_jointColours->setToolTip(
+        tr("The two parts of a joint have its number in the same colour: for paper, and for "
+           "machines that are told what to do with each colour"));
+    connect(colours, &QCheckBox::clicked, this, [this](bool isOn) {
+        m_choices.hasJointColours = isOn;
+        Q_EMIT layoutChanged();
+    });
+    group->add(m_jointColours);
+    m_rows.push_back(m_jointColours);
     m_ofSheets.push_back(group);
     return group;
 }
@@ -142,10 +155,11 @@ PropertyGroup *ExportRows::makeCuts()
     return group;
 }
 
-void ExportRows::setSolids(bool isSolids)
+void ExportRows::setFile(const ExportFile &file)
 {
     for (QWidget *one : m_ofSheets)
-        one->setVisible(!isSolids);
+        one->setVisible(!file.isSolids);
+    m_jointColours->setVisible(file.isColoured);
 }
 
 void ExportRows::refresh()

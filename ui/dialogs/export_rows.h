@@ -22,8 +22,8 @@ public:
     /// choices  changed as a person chooses; it outlives this
     ExportRows(StockEdits &stocks, ExportChoices &choices, QWidget *parent = nullptr);
 
-    /// Solids have no kerf, and lie on no sheet.
-    void setSolids(bool isSolids);
+    /// Solids have no kerf, and lie on no sheet; in some files colours say something.
+    void setFile(const ExportFile &file);
     void refresh();
 
 Q_SIGNALS:
@@ -44,6 +44,7 @@ private:
     ExportChoices &m_choices;
     std::vector<PropertyRow *> m_rows;
     std::vector<QWidget *> m_ofSheets; // of no use to solids
+    PropertyRow *m_jointColours = nullptr;
 };
 
 } // namespace fff::ui

@@ -82,6 +82,16 @@ void paintNumber(const PartPaths &part, const QTransform &transform, QPainter &p
     painter.setFont(before);
 }
 
+/// The pen is that of numbers.
+void paintLabel(const PartPaths &part, const QTransform &transform, QPainter &painter)
+{
+    painter.drawPath(transform.map(part.label));
+    for (const auto &[colour, path] : part.jointLabels) {
+        painter.setPen(hairline(QColor::fromRgb(colour), 1.0));
+        painter.drawPath(transform.map(path));
+    }
+}
+
 constexpr double kBeside = 22.0, kLookRadius = 8.0; // px, of what stands beside a number
 
 bool hasRoomFor(const PartPaths &part, const SheetPainting &how, const QPointF &at)
@@ -238,7 +248,7 @@ void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
         painter.drawPath(how.transform.map(part.scored));
         painter.setPen(hairline(colours.number, 1.0));
         if (isReadable)
-            painter.drawPath(how.transform.map(part.label));
+            paintLabel(part, how.transform, painter);
         else
             paintNumber(part, how.transform, painter);
     }

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/fabrication/cutting_order.h"
+#include "core/fabrication/joint_colours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,19 +101,34 @@ void addFollowed(const CuttingSheet &sheet, SheetPaths &paths)
             appendCuts(line, paths.parts[line.part].followed);
 }
 
-PartPaths pathsOf(const CuttingPart &part)
+void addLabel(const CuttingPart &part, const CuttingDrawing &drawing, PartPaths &paths)
+{
+    QPainterPath *path = &paths.label;
+    int last = 0;
+    part.forLabel([&](bool isFirst, const Vec2 &p, int joint) {
+        if (isFirst && drawing.hasJointColours && joint != last) {
+            path = joint == 0 ? &paths.label
+                              : &paths.jointLabels
+                                     .emplace_back(colourOf(Purpose::Number, joint, drawing),
+                                                   QPainterPath())
+                                     .second;
+            last = joint;
+        }
+        if (isFirst)
+            path->moveTo(pointOf(p));
+        else
+            path->lineTo(pointOf(p));
+    });
+}
+
+PartPaths pathsOf(const CuttingPart &part, const CuttingDrawing &drawing)
 {
     PartPaths paths;
     paths.number = part.number();
     paths.name = QString::fromStdString(part.name());
     part.forLines(
         [&paths](const CuttingLine &line) { appendLine(line, pathFor(line.role(), paths)); });
-    part.forLabel([&paths](bool isFirst, const Vec2 &p) {
-        if (isFirst)
-            paths.label.moveTo(pointOf(p));
-        else
-            paths.label.lineTo(pointOf(p));
-    });
+    addLabel(part, drawing, paths);
     paths.hasNumber = part.hasNumber();
     if (paths.hasNumber)
         paths.roomiest = roomiestOf(paths.cuts);
@@ -143,7 +159,7 @@ std::vector<SheetPaths> sheetPaths(const CuttingDrawing &drawing)
             }
         paths.stock = sheet.stock;
         for (const CuttingPart &part : sheet.parts)
-            paths.parts.push_back(pathsOf(part));
+            paths.parts.push_back(pathsOf(part, drawing));
         if (!sheet.finish.isPlain())
             addFollowed(sheet, paths);
     }

@@ -7,6 +7,7 @@
 #include <QPainterPath>
 #include <QString>
 
+#include <utility>
 #include <vector>
 
 namespace fff::ui {
@@ -21,8 +22,10 @@ struct PartPaths
     QPainterPath followed;
     QPainterPath engraved, scored; // that people drew on it
     QPainterPath label;            // strokes of its number, and of those of its joints
-    bool hasNumber = false;        // its own, among the label
-    QPointF roomiest;              // farthest from every cut: where a number is read best
+    // Of the latter, where they have colours, 0xRRGGBB.
+    std::vector<std::pair<unsigned, QPainterPath>> jointLabels;
+    bool hasNumber = false; // its own, among the label
+    QPointF roomiest;       // farthest from every cut: where a number is read best
 };
 
 struct SheetPaths

@@ -51,7 +51,8 @@ std::vector<ExportFile> filesToChoose()
     std::vector<ExportFile> files;
     for (const ExportKind &kind : exportKinds())
         files.push_back({kind.key, kind.title, kind.use, !kind.format->writesCutting(),
-                         kind.isFilePerSheet, kind.isSkin, kind.isFolder});
+                         kind.isFilePerSheet, kind.isSkin, kind.isFolder,
+                         kind.format->showsJointColours()});
     return files;
 }
 

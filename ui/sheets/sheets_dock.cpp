@@ -102,7 +102,7 @@ SheetsDock::SheetsDock(Workbench &bench, QWidget *parent)
     connect(&bench.nesting(), &SheetNesting::progressed, this, &SheetsDock::refreshHead);
     connect(&settings(), &Settings::unitChanged, this, &SheetsDock::refresh);
     connect(&settings(), &Settings::exportChanged, this, [this] {
-        m_work->setFinish(rememberedChoices().cuts());
+        m_work->setLook(rememberedChoices().cuts());
         m_timed = nullptr;
         refresh();
     });
@@ -374,7 +374,7 @@ void SheetsDock::showEvent(QShowEvent *event)
     QDockWidget::showEvent(event);
     const ExportChoices choices = rememberedChoices();
     m_bench.nesting().setOptions(choices.nesting());
-    m_work->setFinish(choices.cuts());
+    m_work->setLook(choices.cuts());
     m_work->setWanted(true);
     m_view->setSelected(m_bench.interaction().selection());
     refresh();

@@ -12,6 +12,7 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore ZLIB::ZLIB TESTS
     core/io/tst_flatfab_models
     core/io/tst_full_stop
     core/io/tst_formats
+    core/io/tst_joint_colours
     core/io/tst_json_writer
     core/io/tst_machine_library
     core/io/tst_material_library

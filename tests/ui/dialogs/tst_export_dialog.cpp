@@ -53,6 +53,7 @@ private Q_SLOTS:
     void eachMachineHasItsKerf();
     void aSheetOfOnesOwn();
     void choicesAreKept();
+    void aColourForEachJoint();
     void nonsenseInTheSettingsIsPassedOver();
     void manySheetsAreTurned();
     void severalStocksAreChosenFrom();
@@ -318,6 +319,37 @@ void TestExportDialog::choicesAreKept()
         typeInto(dialog, "exportSpacing", QStringLiteral("9"));
     });
     QCOMPARE(rememberedChoices().layout.spacing, 4.0);
+}
+
+// In the preview as in the file, and only where colours are looked at.
+void TestExportDialog::aColourForEachJoint()
+{
+    using namespace fff::test;
+    Document document = withSection(newDocument(), plateOf(-60, 0, 60, 60), front());
+    for (const double at : {-30.0, 30.0})
+        document = withSection(std::move(document), plateOf(-40, 0, 40, 60), side(at));
+    draw(document);
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        auto *box = dialog->findChild<QCheckBox *>(QStringLiteral("exportJointColours"));
+        const auto colours = [dialog] {
+            std::size_t count = 0;
+            for (const PartPaths &part : dialog->findChild<SheetView *>()->content().sheet->parts)
+                count += part.jointLabels.size();
+            return count;
+        };
+        QVERIFY(!box->isHidden() && !box->isChecked());
+        QCOMPARE(colours(), std::size_t(0));
+        box->click();
+        QTRY_COMPARE(colours(), std::size_t(4)); // two joints, on two parts each
+        chooseRow(dialog, "exportFile", QStringLiteral("DXF"));
+        QTRY_COMPARE(colours(), std::size_t(0));
+        QVERIFY(!box->isVisible());
+        chooseRow(dialog, "exportFile", QStringLiteral("SVG"));
+        QTRY_COMPARE(colours(), std::size_t(4));
+        exportTo(dialog, file("joints.svg"));
+    });
+    QVERIFY(written("joints.svg").find("<path stroke=\"#1b6ca8\"") != std::string::npos);
+    QVERIFY(rememberedChoices().hasJointColours);
 }
 
 void TestExportDialog::nonsenseInTheSettingsIsPassedOver()
