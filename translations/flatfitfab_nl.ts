@@ -14713,6 +14713,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n platen meer dan er zijn</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 · %2 of cutting</source>
+        <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
+        <translation>%1 · %2 snijden</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsView</name>

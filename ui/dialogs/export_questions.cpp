@@ -25,7 +25,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr NumberEdit::Range kSheetSide{10.0, 10000.0, 10.0, 0, 1}; // mm
+constexpr NumberEdit::Range kSheetSide{1.0, 10000.0, 10.0, 0, 1}; // mm
 
 ChoiceBox *choiceBox(const char *objectName, const QString &name, QWidget *parent)
 {

@@ -72,15 +72,8 @@ void addOfDrawing(const CuttingWork &work, std::vector<ExportRemark> &remarks)
         return;
     const LayoutOptions &layout = work.made()->nested->question->nesting.layout;
     for (const Stock &stock : cutting->drawing.stocks)
-        if (!(roomOf(stock.sheet, layout).minCoeff() > 0.0))
-            remarks.push_back(
-                {Severity::Error,
-                 {},
-                 //: %1 is a stock, %2 a length
-                 ExportRemarksTexts::tr("A sheet of %1 has no room within margins of %2.")
-                     .arg(stockName(stock), lengthText(layout.margin, 0, 2, QLocale())),
-                 {},
-                 {}});
+        if (const QString why = noRoomText(stock, layout.margin); !why.isEmpty())
+            remarks.push_back({Severity::Error, {}, why, {}, {}});
     if (work.made()->nested->question->compensatesKerf)
         for (const Stock &stock : cutting->drawing.stocks)
             if (!(stock.kerf > 0.0)) // as models of FlatFab have it
@@ -120,6 +113,17 @@ void addGood(const CheckList &checks, const CuttingWork &work, std::vector<Expor
 }
 
 } // namespace
+
+QString noRoomText(const Stock &stock, double margin)
+{
+    LayoutOptions layout;
+    layout.margin = margin;
+    if (roomOf(stock.sheet, layout).minCoeff() > 0.0)
+        return {};
+    //: %1 is a stock, %2 a length
+    return ExportRemarksTexts::tr("A sheet of %1 has no room within margins of %2.")
+        .arg(stockName(stock), lengthText(margin, 0, 2, QLocale()));
+}
 
 bool ExportRemark::operator==(const ExportRemark &other) const
 {

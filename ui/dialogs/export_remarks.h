@@ -29,6 +29,10 @@ struct ExportRemark
     bool operator==(const ExportRemark &other) const;
 };
 
+/// That the margins leave nothing of the stock's sheet; empty where they do.
+/// margin  mm
+QString noRoomText(const Stock &stock, double margin);
+
 /// Never empty. Good is said in one line, of what is known to be good alone.
 std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWork &work);
 

@@ -18,7 +18,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr LengthEdit::Range kSide{10.0, 10000.0, 10.0, 0, 1}; // mm
+constexpr LengthEdit::Range kSide{1.0, 10000.0, 10.0, 0, 1}; // mm
 constexpr NumberEdit::Range kCount{1.0, 999.0, 1.0, 0, 0};
 constexpr int kSideWidth = 66, kCountWidth = 54, kLeastWidth = 290; // px
 const Vec2 kFirst(300.0, 200.0);                                    // mm, of one that is added

@@ -42,7 +42,7 @@ constexpr double kMegapascalsPerGigapascal = 1000.0;
 constexpr double kPercent = 100.0;
 constexpr double kMostPrice = 100000.0;
 constexpr NumberEdit::Range kLasting{1.0, 100.0, 5.0, 0, 1};
-constexpr LengthEdit::Range kSheetRange{10.0, 10000.0, 10.0, 0, 1};
+constexpr LengthEdit::Range kSheetRange{1.0, 10000.0, 10.0, 0, 1};
 
 } // namespace
 

@@ -9,6 +9,7 @@
 #include "ui/bench/cutting_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/export_choices.h"
+#include "ui/dialogs/export_remarks.h"
 #include "ui/docks/dock_title.h"
 #include "ui/properties/link_row.h"
 #include "ui/properties/segmented_box.h"
@@ -262,6 +263,15 @@ void SheetsDock::refreshTooLarge()
     if (sections.empty())
         return;
     const Model &model = m_work->made()->analysis->model;
+    const Stock &stock = model.stockOf(static_cast<std::size_t>(model.indexOf(sections.front())));
+    const QString noRoom =
+        noRoomText(stock, m_work->made()->nested->question->nesting.layout.margin);
+    // Of a sheet without room a grid makes crumbs.
+    m_split->setVisible(noRoom.isEmpty());
+    if (!noRoom.isEmpty()) {
+        m_tooLargeText->setText(noRoom);
+        return;
+    }
     const QString name = QString::fromStdString(model.nameOf(sections.front()));
     m_tooLargeText->setText(sections.size() == 1
                                 //: %1 is the name of a section
@@ -331,13 +341,16 @@ void SheetsDock::refreshFoot()
     const Nested &nested = *m_work->made()->nested;
     const auto bold = [](const QString &text) { return QStringLiteral("<b>%1</b>").arg(text); };
     const int sheets = cutting->sheetCount() - static_cast<int>(nested.layout->oversized.size());
+    const QString parts = bold(partCountText(cutting->partCount));
+    const QString length = cutLengthText(nested.cutLength, locale());
     //: %1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine
     //: cuts
-    QStringList facts{tr("%1 on %2 \u00B7 %3 % used \u00B7 %4 of cutting")
-                          .arg(bold(partCountText(cutting->partCount)),
-                               bold(sheetCountText(sheets)),
-                               locale().toString(100.0 * cutting->usedShare, 'f', 1),
-                               cutLengthText(nested.cutLength, locale()))};
+    QStringList facts{sheets > 0
+                          ? tr("%1 on %2 \u00B7 %3 % used \u00B7 %4 of cutting")
+                                .arg(parts, bold(sheetCountText(sheets)),
+                                     locale().toString(100.0 * cutting->usedShare, 'f', 1), length)
+                          //: %1 are the parts, %2 is how far the machine cuts
+                          : tr("%1 \u00B7 %2 of cutting").arg(parts, length)};
     if (const std::optional<double> time = seconds())
         //: how long a machine cuts
         facts += tr("about %n min", nullptr, static_cast<int>(std::ceil(*time / kMinute)));

@@ -53,6 +53,7 @@ private Q_SLOTS:
     void choicesAreThoseOfExport();
     void whatLiesThereIsExported();
     void tooLargePartsAreToldAndSplit();
+    void aSheetWithoutRoomIsNotSplitFor();
     void aDraggedPartStaysWhereItIsPut();
     void onOthersItGoesBack();
     void escapePutsItBack();
@@ -316,6 +317,19 @@ void TestSheetsDock::tooLargePartsAreToldAndSplit()
     const auto &operations = bench().session().committed().document.operations;
     QCOMPARE(operations.size(), std::size_t(1));
     QCOMPARE(operations[0]->kind, std::string("grid"));
+}
+
+// Wrong: a grid of a sheet that its margins leave nothing of cuts the model to crumbs.
+void TestSheetsDock::aSheetWithoutRoomIsNotSplitFor()
+{
+    open(onSheets(withSection(newDocument(), polygonShape(rectangle(0, 0, 50, 50)), front()),
+                  {9, 9}));
+    QVERIFY2(text("sheetsTooLarge")
+                 .startsWith(QStringLiteral("A sheet of Birch plywood has no room within margins "
+                                            "of 5")),
+             qPrintable(text("sheetsTooLarge")));
+    QVERIFY(!m_window->findChild<LinkRow *>(QStringLiteral("sheetsSplit"))->isVisible());
+    QVERIFY2(!text("sheetsTotals").contains(u'%'), qPrintable(text("sheetsTotals")));
 }
 
 namespace {
