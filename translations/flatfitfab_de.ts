@@ -10192,6 +10192,27 @@
         <source>&lt;b&gt;Mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one side, %2 on the other. Cross it by %3 or more to draw both sides yourself.</source>
         <translation>&lt;b&gt;Gespiegelt.&lt;/b&gt; Auf einer Seite der Achse gezeichnet: %1 auf der einen, %2 auf der anderen Seite. Wer sie um %3 oder mehr überquert, zeichnet beide Seiten selbst.</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Auf der Führung</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1 % des Strichs</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Am weitesten ab</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

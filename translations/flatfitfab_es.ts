@@ -10192,6 +10192,27 @@
         <source>New section</source>
         <translation>Sección nueva</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Plantilla</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Sigue</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Sobre la guía</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1 % del trazo</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Lo más lejos</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

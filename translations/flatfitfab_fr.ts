@@ -10192,6 +10192,27 @@
         <source>New section</source>
         <translation>Nouvelle section</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Gabarit</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Suit</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Sur le guide</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1 % du trait</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Écart maximal</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

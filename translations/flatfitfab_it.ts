@@ -10192,6 +10192,27 @@
         <source>New section</source>
         <translation>Nuova sezione</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Riferimento</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Segue</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Sulla guida</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1 % del tratto</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Scarto massimo</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

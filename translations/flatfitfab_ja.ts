@@ -10091,6 +10091,27 @@
         <source>New section</source>
         <translation>新しい板</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>沿う下絵</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>ガイド上</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>一筆の %1%</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>最大のずれ</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

@@ -10192,6 +10192,27 @@
         <source>New section</source>
         <translation>Nieuwe sectie</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Sjabloon</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Volgt</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Op de hulplijn</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1 % van de haal</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Verst ernaast</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

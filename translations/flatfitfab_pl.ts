@@ -10293,6 +10293,27 @@
         <source>New section</source>
         <translation>Nowa płytka</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Podkład</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Prowadzi</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Na prowadnicy</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1% pociągnięcia</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Największa odległość</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

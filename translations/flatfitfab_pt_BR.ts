@@ -10192,6 +10192,27 @@
         <source>New section</source>
         <translation>Nova seção</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>Referência</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Segue</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>Sobre a guia</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>%1 % do traço</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>Maior desvio</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

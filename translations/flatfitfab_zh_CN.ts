@@ -10091,6 +10091,27 @@
         <source>New section</source>
         <translation>新插片</translation>
     </message>
+    <message>
+        <source>Template</source>
+        <translation>参考物</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>沿着</translation>
+    </message>
+    <message>
+        <source>On the guide</source>
+        <translation>在引导线上</translation>
+    </message>
+    <message>
+        <source>%1 % of the stroke</source>
+        <extracomment>%1 is a number: of the line that somebody draws</extracomment>
+        <translation>一笔的 %1 %</translation>
+    </message>
+    <message>
+        <source>Farthest off</source>
+        <translation>最大偏离</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DrivenField</name>

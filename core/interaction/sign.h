@@ -179,6 +179,16 @@ struct Guides
     std::shared_ptr<const std::vector<Loop>> loops;
     std::vector<Vec2> turnouts; // where what is drawn leaves one, or comes to it
     std::optional<Vec2> caught; // what is drawn follows one there
+    /// A line that may follow them, as far as it goes.
+    struct Followed
+    {
+        std::string name;      // of the template
+        double share = 0.0;    // of the line that lies on them, 0 … 1
+        double farthest = 0.0; // mm, of the rest from them
+        bool isBegun = false;  // there is such a line
+        bool operator==(const Followed &) const = default;
+    };
+    std::optional<Followed> followed = {}; // nothing is to follow them
     bool operator==(const Guides &) const = default;
 };
 /// Where the canvas meets the ground: a line without ends.

@@ -77,7 +77,7 @@ private:
     void lookAtWalls(const GestureContext &context);
     void lookAtTemplates(const GestureContext &context);
     void followTemplates(const GestureContext &context);
-    void addTemplates(Signs &signs) const;
+    void addTemplates(const GestureContext &context, Signs &signs) const;
     void moveTo(const PointerEvent &event, GestureContext &context);
     void beginTurn(const PointerEvent &event, GestureContext &context);
     void followHand(const PointerEvent &event, GestureContext &context);
@@ -109,6 +109,7 @@ private:
     std::optional<SlitGuide> m_guide;   // that it goes along
     TemplateGuides m_templates;         // what its plane cuts of them
     std::string m_followed;             // the name of the one that it may follow; empty: none
+    bool m_canFollow = false;           // what it draws is caught by guides
     ContourTarget m_target;
     std::optional<Vec3> m_missing;          // world, unit: where the slit has no wall
     std::optional<ContourTarget> m_movedIn; // where it has

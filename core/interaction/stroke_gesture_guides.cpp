@@ -48,7 +48,8 @@ void StrokeGesture::followTemplates(const GestureContext &context)
     m_templates = TemplateGuides(context.model, context.pulled.get(), m_target.canvas);
     const Template *followed = m_templates.followed(context.model.document);
     m_followed = followed ? followed->name : std::string();
-    if (followed && context.settings.snaps)
+    m_canFollow = followed && context.settings.snaps;
+    if (m_canFollow)
         m_stroke.setGuides(m_templates.curves(
             guideReach(context.settings.guideReach, context.camera.millimetresPerPixel)));
 }
@@ -92,11 +93,24 @@ GestureReply StrokeGesture::takeGuide(GestureContext &context)
     return reply;
 }
 
-void StrokeGesture::addTemplates(Signs &signs) const
+void StrokeGesture::addTemplates(const GestureContext &context, Signs &signs) const
 {
     const bool isDrawing = m_stroke.state() == Stroke::State::Contour;
     const StrokeContour *contour = isDrawing ? &m_stroke.contour() : nullptr;
-    m_templates.show(contour && contour->guided ? &*contour->guided : nullptr, hasGuide(), signs);
+    const GuidedLine *line = contour && contour->guided ? &*contour->guided : nullptr;
+    m_templates.show(line, hasGuide(), signs);
+    auto *guides = signs.find<sign::Guides>();
+    const Template *followed = m_templates.followed(context.model.document, line);
+    if (!guides || !followed || !m_canFollow || m_stroke.state() == Stroke::State::Slit)
+        return;
+    sign::Guides::Followed &told = guides->followed.emplace();
+    told.name = followed->name;
+    told.isBegun = line && line->length > 0.0;
+    if (!told.isBegun)
+        return;
+    // What has gone all round one is that guide.
+    told.share = line->whole ? 1.0 : std::min(1.0, line->onGuides / line->length);
+    told.farthest = line->whole ? 0.0 : line->farthest;
 }
 
 } // namespace fff

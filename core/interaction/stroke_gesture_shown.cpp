@@ -84,7 +84,7 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         signs.add(std::move(slit));
         addWalls(signs);
     }
-    addTemplates(signs);
+    addTemplates(context, signs);
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
         signs.add(sign::Rulers{rulers(context)});

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -70,9 +71,24 @@ void TemplateGuides::prepareShown()
     });
 }
 
-const Template *TemplateGuides::followed(const Document &document) const
+const Template *TemplateGuides::followed(const Document &document, const GuidedLine *line) const
 {
-    return m_loops.empty() ? nullptr : document.find(m_loops.front().of);
+    if (m_loops.empty())
+        return nullptr;
+    const bool isOfOne = m_loops.back().of == m_loops.front().of; // one after the other
+    if (isOfOne || !line || !line->mostOn)
+        return document.find(m_loops.front().of);
+    const auto distance = [&](const TemplateLoop &loop) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i + (loop.isOpen ? 1 : 0) < loop.points.size(); ++i)
+            least = std::min(least, distanceToSegment(*line->mostOn, loop.points[i],
+                                                      loop.points[(i + 1) % loop.points.size()]));
+        return least;
+    };
+    const auto nearest = std::min_element(
+        m_loops.begin(), m_loops.end(),
+        [&](const TemplateLoop &a, const TemplateLoop &b) { return distance(a) < distance(b); });
+    return document.find(nearest->of);
 }
 
 std::shared_ptr<const Guides> TemplateGuides::curves(double reach) const

@@ -29,8 +29,9 @@ public:
 
     bool isEmpty() const { return m_loops.empty(); }
     const Frame &canvas() const { return m_canvas; }
-    /// Of the template that the largest loop is of; null without any.
-    const Template *followed(const Document &document) const;
+    /// The template that the line follows for longest; without one, that the largest loop is of.
+    /// Null without any.
+    const Template *followed(const Document &document, const GuidedLine *line = nullptr) const;
 
     /// The loops as curves, for a stroke to follow; null without any. reach: mm.
     std::shared_ptr<const Guides> curves(double reach) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -70,16 +71,19 @@ private:
     bool joinEnds();
     double offAt(const Run &run, std::size_t place) const;
     Vec2 drawnAt(const Run &run, double way) const;
-    void addFree(std::size_t from, std::size_t end, GuidedLine &line) const;
-    void addCaught(const Caught &caught, GuidedLine &line) const;
-    void addPassage(const Caught &caught, double from, double to, bool isComing,
-                    GuidedLine &line) const;
+    void addFree(std::size_t from, std::size_t end, GuidedLine &line);
+    void lookHowFar(const Vec2 &p, GuidedLine &line);
+    void addCaught(const Caught &caught, GuidedLine &line);
+    void addPassage(const Caught &caught, double from, double to, bool isComing, GuidedLine &line);
 
     const std::vector<Vec2> &m_samples;
     const std::vector<FreeSamples> &m_free;
     const Guides &m_guides;
     std::vector<Run> m_runs;
     std::vector<Caught> m_caught;
+    std::optional<Vec2> m_looked; // how far this is from the nearest guide is known:
+    double m_off = 0.0;           // mm
+    double m_most = 0.0;          // mm, the longest way along a guide
 };
 
 void add(const Vec2 &p, GuidedLine &line)
@@ -245,15 +249,38 @@ Vec2 GuideFollower::drawnAt(const Run &run, double way) const
     return at(run.along.size() - 1);
 }
 
-void GuideFollower::addFree(std::size_t from, std::size_t end, GuidedLine &line) const
+void GuideFollower::addFree(std::size_t from, std::size_t end, GuidedLine &line)
 {
-    for (std::size_t i = from; i < end; ++i)
+    for (std::size_t i = from; i < end; ++i) {
         add(m_samples[i], line);
+        lookHowFar(m_samples[i], line);
+    }
+}
+
+/// No point is further off than one beside it by more than their distance, so that most of them
+/// need no look.
+void GuideFollower::lookHowFar(const Vec2 &p, GuidedLine &line)
+{
+    if (m_guides.isEmpty())
+        return;
+    const double most = m_looked ? m_off + (p - *m_looked).norm() + kClipGrid
+                                 : std::numeric_limits<double>::infinity();
+    if (most <= line.farthest)
+        return;
+    double off = most;
+    for (const PathLocator &guide : m_guides.lines)
+        if (const auto place = guide.nearest(p, off))
+            off = std::min(off, place->distance);
+    if (!std::isfinite(off))
+        return;
+    m_looked = p;
+    m_off = off;
+    line.farthest = std::max(line.farthest, off);
 }
 
 /// From free to guided (isComing) between two places along the guide, or back.
 void GuideFollower::addPassage(const Caught &caught, double from, double to, bool isComing,
-                               GuidedLine &line) const
+                               GuidedLine &line)
 {
     const PathLocator &guide = guideOf(caught.run);
     for (int k = 0; k <= kPassageSteps; ++k) {
@@ -263,12 +290,15 @@ void GuideFollower::addPassage(const Caught &caught, double from, double to, boo
         const Vec2 drawn =
             drawnAt(caught.run, caught.run.sign() * (along - caught.run.along.front()));
         // On the guide itself pieces say where it goes on.
-        if (k != (isComing ? kPassageSteps : 0))
-            add(drawn + weight * (guide.at(along) - drawn), line);
+        if (k == (isComing ? kPassageSteps : 0))
+            continue;
+        const Vec2 p = drawn + weight * (guide.at(along) - drawn);
+        add(p, line);
+        lookHowFar(p, line);
     }
 }
 
-void GuideFollower::addCaught(const Caught &caught, GuidedLine &line) const
+void GuideFollower::addCaught(const Caught &caught, GuidedLine &line)
 {
     const PathLocator &guide = guideOf(caught.run);
     if (caught.isFreeBefore) {
@@ -289,6 +319,10 @@ void GuideFollower::addCaught(const Caught &caught, GuidedLine &line) const
         line.pieces.push_back(piece);
     }
     line.onGuides += line.length - before;
+    if (line.length - before > m_most) {
+        m_most = line.length - before;
+        line.mostOn = guide.at(0.5 * (caught.from + caught.to));
+    }
     if (caught.isFreeAfter) {
         line.turnouts.push_back(guide.at(caught.to));
         addPassage(caught, caught.to, caught.run.along.back(), false, line);

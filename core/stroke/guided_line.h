@@ -41,6 +41,8 @@ struct GuidedLine
     bool isLoop = false;
     bool isCaughtAtEnd = false;
     double length = 0.0, onGuides = 0.0; // mm
+    double farthest = 0.0;               // mm, of where it is free from the nearest guide
+    std::optional<Vec2> mostOn;          // in the middle of the longest way along one
 };
 
 /// samples  all of them looked at (SampledLine::usable), canvas coordinates, mm

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff::ui {
 
@@ -35,6 +36,13 @@ int drawnIndex(const Workbench &bench)
             return static_cast<int>(i);
     }
     return -1;
+}
+
+/// Null where nothing can be followed.
+const sign::Guides::Followed *followed(const Overlay &overlay)
+{
+    const auto *guides = overlay.find<sign::Guides>();
+    return guides && guides->followed ? &*guides->followed : nullptr;
 }
 
 QString kindText(const Overlay &overlay)
@@ -124,6 +132,27 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
                          : massText(Measures(m_bench.session()).mass(drawn), locale());
     });
 
+    m_template = new PropertyGroup(tr("Template"), this);
+    const auto addFollowed = [this](const QString &name, const char *objectName, auto read) {
+        addRow(m_template, name, objectName, [this, read] {
+            const auto *told = followed(m_bench.interaction().overlay());
+            return told ? read(*told) : QString(u'–');
+        });
+    };
+    using Told = sign::Guides::Followed;
+    addFollowed(tr("Follows"), "drawnFollows",
+                [](const Told &told) { return QString::fromStdString(told.name); });
+    addFollowed(tr("On the guide"), "drawnOnGuide", [this](const Told &told) {
+        constexpr double kPercent = 100.0;
+        //: %1 is a number: of the line that somebody draws
+        return told.isBegun ? tr("%1 % of the stroke")
+                                  .arg(locale().toString(std::lround(kPercent * told.share)))
+                            : QString(u'–');
+    });
+    addFollowed(tr("Farthest off"), "drawnFarthest", [this](const Told &told) {
+        return told.isBegun ? lengthText(told.farthest, 1, 1, locale()) : QString(u'–');
+    });
+
     m_why = new QLabel(this);
     m_why->setObjectName(QStringLiteral("drawnSymmetry"));
     m_why->setWordWrap(true);
@@ -140,6 +169,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     column->addWidget(stock);
     column->addWidget(m_slit);
     column->addWidget(m_contour);
+    column->addWidget(m_template);
     column->addWidget(m_why);
 }
 
@@ -235,6 +265,7 @@ void DrawingPage::refresh()
                               session.model().section(static_cast<std::size_t>(drawn))->name));
     m_kind->setText(kindText(m_bench.interaction().overlay()));
     m_slit->setVisible(m_bench.interaction().overlay().find<sign::Slit>() != nullptr);
+    m_template->setVisible(followed(m_bench.interaction().overlay()) != nullptr);
     for (PropertyRow *row : m_rows)
         row->refresh();
     const QString why = symmetryText();

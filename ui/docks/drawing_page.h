@@ -1,5 +1,5 @@
-// What the Properties dock shows of a section while it is drawn: stock, slit, contour, and whether
-// and why it is mirrored. Reads only; a stroke has the mouse.
+// What the Properties dock shows of a section while it is drawn: stock, slit, contour, how it
+// follows a template, and whether and why it is mirrored. Reads only; a stroke has the mouse.
 #pragma once
 
 #include <QWidget>
@@ -33,7 +33,7 @@ private:
 
     Workbench &m_bench;
     QLabel *m_icon = nullptr, *m_name = nullptr, *m_kind = nullptr, *m_why = nullptr;
-    PropertyGroup *m_slit = nullptr, *m_contour = nullptr;
+    PropertyGroup *m_slit = nullptr, *m_contour = nullptr, *m_template = nullptr;
     std::vector<PropertyRow *> m_rows;
 };
 

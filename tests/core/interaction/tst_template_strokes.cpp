@@ -133,6 +133,7 @@ private Q_SLOTS:
     void theFirstSectionFollowsTheMesh();
     void ctrlAndSnapLeaveIt();
     void onlyWhatIsNearIsCaught();
+    void whatItFollowsIsTold();
     void aSectionAcrossFollowsIt();
     void theWholeGuideAtOnce();
     void itSlidesInFromWhereTheStrokeLeft_data();
@@ -193,6 +194,40 @@ void TestTemplateStrokes::onlyWhatIsNearIsCaught()
     QVERIFY(path && path->points.size() == 5);
     for (const PathPoint &point : path->points)
         QVERIFY(std::abs(point.at.norm() - kBall) > 0.05);
+}
+
+/// While it is drawn: on which template, how much of it and how far off the rest is.
+void TestTemplateStrokes::whatItFollowsIsTold()
+{
+    Desk desk;
+    addBall(desk);
+    const auto at = [&](double angle, double off) {
+        return desk.plate((kBall + off) * std::cos(angle), (kBall + off) * std::sin(angle));
+    };
+    desk.moveTo(at(0.0, 1.0));
+    desk.press(at(0.0, 1.0));
+    for (int i = 1; i <= 40; ++i)
+        desk.moveTo(at(0.04 * i, 1.0), {}, 20);
+    QVERIFY(guidesShown(desk) && guidesShown(desk)->followed);
+    QCOMPARE(guidesShown(desk)->followed->name, std::string("Ball"));
+    QVERIFY(guidesShown(desk)->followed->isBegun);
+    QVERIFY(guidesShown(desk)->followed->share > 0.95);
+    QVERIFY(guidesShown(desk)->followed->farthest < 1.5);
+    for (int i = 1; i <= 40; ++i)
+        desk.moveTo(at(1.6 + 0.04 * i, 30.0 * std::sin(0.05 * i)), {}, 20);
+    const sign::Guides::Followed told = *guidesShown(desk)->followed;
+    QVERIFY2(told.share > 0.4 && told.share < 0.8, qPrintable(QString::number(told.share)));
+    QVERIFY2(std::abs(told.farthest - 30.0) < 2.0, qPrintable(QString::number(told.farthest)));
+    desk.release(desk.cursor);
+
+    Desk free; // nothing is caught
+    addBall(free);
+    free.run("section.snap");
+    free.moveTo(free.plate(kBall, 0.0));
+    free.press(free.plate(kBall, 0.0));
+    free.moveTo(free.plate(kBall, 20.0), {}, 20);
+    free.moveTo(free.plate(kBall - 5.0, 40.0), {}, 20);
+    QVERIFY(guidesShown(free) && !guidesShown(free)->followed);
 }
 
 /// Both halves of the stroke: a plane of its own, whose cut is another circle.

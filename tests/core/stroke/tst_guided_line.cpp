@@ -106,6 +106,7 @@ private Q_SLOTS:
     void freeSamplesAreFree();
     void theOtherSideOfSomethingThinIsLeftAlone();
     void awayFromTheGuideAndBack();
+    void howFarItIsOff();
     void itHoldsALittleLonger();
     void hastyStrokes();
     void sloppyStrokesMakeContours();
@@ -267,6 +268,37 @@ void TestGuidedLine::awayFromTheGuideAndBack()
             other.push_back(outline.at(start + along));
         QVERIFY(furthest(other, closedPolygon(*stroke.contour)) < 0.06);
     }
+}
+
+/// As each free point says that is looked at by itself.
+void TestGuidedLine::howFarItIsOff()
+{
+    const Outline outline = roundOutline(100, 80);
+    const Contour guide = guideOf(outline);
+    const Contour other = guideOf(roundOutline(20, 20));
+    const auto guides = guidesOf({other, guide});
+    const Samples lines[] = {closedPolygon(other), closedPolygon(guide)};
+    for (const double bump : {0.0, 20.0, 45.0, -60.0})
+        for (int k = 0; k < 12; ++k) {
+            const auto off = [&](double t) {
+                const double x = (t - 0.5) / 0.2;
+                return bump * std::exp(-x * x * x * x) + wobble(1.5, k)(t);
+            };
+            const double start = 0.08 * k * outline.length();
+            const GuidedLine line =
+                guided(besides(outline, start, start + 0.6 * outline.length(), off), {}, *guides);
+            double most = 0.0;
+            const PolylineDistance one(lines[0]), two(lines[1]);
+            for (const Vec2 &p : line.points)
+                most = std::max(most, std::min(one(p), two(p)));
+            QVERIFY2(std::abs(line.farthest - most) < 0.02,
+                     qPrintable(QStringLiteral("%1, not %2").arg(line.farthest).arg(most)));
+            QVERIFY(line.mostOn && two(*line.mostOn) < 0.01);
+            QCOMPARE(line.onGuides > 0.999 * line.length, bump == 0.0);
+        }
+    const GuidedLine nowhere = guided({{0, 0}, {10, 0}}, {}, Guides());
+    QCOMPARE(nowhere.farthest, 0.0);
+    QVERIFY(!nowhere.mostOn);
 }
 
 void TestGuidedLine::itHoldsALittleLonger()
