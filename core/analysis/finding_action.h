@@ -40,6 +40,9 @@ struct ActionKind
     /// which is the window's.
     std::optional<FindingEdit> (*carriedOut)(const FindingAction &, const Finding &,
                                              const Analysis &, const Flips *) = nullptr;
+    /// It is tried only as long as no other edit is offered: of many that do much the same, the
+    /// first that helps is enough.
+    bool isLastResort = false;
 };
 
 /// Whether it changes the document.

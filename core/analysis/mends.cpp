@@ -46,10 +46,14 @@ struct Judge
                               const Finding &finding) const
     {
         std::vector<Mend> mends;
-        for (const FindingAction &action : actions)
-            if (!stop.stop_requested())
+        for (const FindingAction &action : actions) {
+            const bool isNeeded = !action.kind->isLastResort ||
+                                  std::none_of(mends.begin(), mends.end(),
+                                               [](const Mend &one) { return one.isEdit(); });
+            if (isNeeded && !stop.stop_requested())
                 if (auto made = mend(action, finding))
                     mends.push_back(*std::move(made));
+        }
         return mends;
     }
     std::vector<Mend> mendsOf(const Finding &finding) const

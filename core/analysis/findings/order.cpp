@@ -104,8 +104,9 @@ std::vector<FindingAction> makeAssemblable(const Finding &finding, const Analysi
     if (finding.sections.size() == 2) // one of them stops the other
         for (const SectionRef &section : finding.sections)
             actions.push_back({&kTrim, section});
-    for (const FindingAction &action : movedPlanes(finding, analysis.model.document))
-        actions.push_back(action);
+    for (const auto &planes : {movedPlanes, otherPlanes})
+        for (const FindingAction &action : planes(finding, analysis.model.document))
+            actions.push_back(action);
     return actions;
 }
 
@@ -159,7 +160,18 @@ void explain(const LookedAtPlan &at, const std::vector<int> &sections, Finding &
         finding.joint = JointRef(finding.sections[0], finding.sections[1]);
         blocked.distance = stop->distance;
     }
+    blocked.areSlices = areOfCrossingSlices(finding, at.analysis.model.document);
     finding.setDetails(std::move(blocked));
+}
+
+Text cannotAdvice(const Finding &finding)
+{
+    if (finding.details<Blocked>()->areSlices)
+        return FFF_TEXT("Checks", "None of the shifts and numbers of planes that were tried lets "
+                                  "them slide together. Bake the slices and shorten one of them, "
+                                  "or leave it out.");
+    return FFF_TEXT("Checks", "Shorten one of them, or turn it so that it slides in the same "
+                              "direction as the others.");
 }
 
 } // namespace
@@ -175,18 +187,13 @@ const FindingKind kCouldAssemble{"canAssemble", Subject::Assembly,
 const FindingKind kCanOtherwiseAssemble{"interference", Subject::Assembly,
                                         FFF_TEXT("Checks", "Cannot be assembled yet"),
                                         canOtherwiseSentence, showSteps};
-const FindingKind kCannotAssemble{
-    "cannotAssemble",
-    Subject::Assembly,
-    FFF_TEXT("Checks", "Cannot be assembled"),
-    cannotSentence,
-    makeAssemblable,
-    cannotLook,
-    nullptr,
-    nullptr,
-    FFF_TEXT(
-        "Checks",
-        "Shorten one of them, or turn it so that it slides in the same direction as the others.")};
+const FindingKind kCannotAssemble{.name = "cannotAssemble",
+                                  .subject = Subject::Assembly,
+                                  .title = FFF_TEXT("Checks", "Cannot be assembled"),
+                                  .sentence = cannotSentence,
+                                  .actions = makeAssemblable,
+                                  .look = cannotLook,
+                                  .advised = cannotAdvice};
 const FindingKind kOrderUnknown{"orderUnknown", Subject::Assembly,
                                 FFF_TEXT("Checks", "Order not found"), unknownSentence};
 

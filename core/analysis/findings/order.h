@@ -16,10 +16,11 @@ struct AssemblyOrder
 /// Of kCannotAssemble.
 struct Blocked
 {
-    int joints = 0;        // of those that block each other
-    int directions = 0;    // in which these slide
-    double distance = 0.0; // how far the first section comes out of the second one, mm; 0: it is
-                           // not that
+    int joints = 0;         // of those that block each other
+    int directions = 0;     // in which these slide
+    double distance = 0.0;  // how far the first section comes out of the second one, mm; 0: it is
+                            // not that
+    bool areSlices = false; // of a mesh, in two directions or around an axis
     std::vector<ProblemLink> links; // who blocks whom
 };
 /// Of kOrderUnknown.
