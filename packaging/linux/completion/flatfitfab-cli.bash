@@ -19,7 +19,7 @@ _flatfitfab_cli()
     check) flags='--json --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     simulate) flags='--accurate --lasting --weight --json --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     parts) flags='--json --tolerance --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
-    export) flags='-o --output --format --no-reference --margin --spacing --no-turning --nest --sheets --machine --skin --tabs --lead --common-lines --coupon --dxf --paper --parts --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
+    export) flags='-o --output --format --no-reference --joint-colours --margin --spacing --no-turning --nest --sheets --machine --skin --tabs --lead --common-lines --coupon --dxf --paper --parts --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     render) flags='-o --output --size --view --show --accurate --template --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     steps) flags='-o --output --paper --size --view --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     values) flags='--json --try --seed --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
@@ -27,10 +27,10 @@ _flatfitfab_cli()
     operations) flags='--json --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     cut) flags='--plane --size --json -h --help' ;;
     suggest) flags='-o --output --size --count --seed --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
-    slices) flags='-o --output --size --along --count --spacing --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
+    slices) flags='-o --output --size --along --count --spacing --hollow --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     facets) flags='-o --output --size --faces --unfold --flap --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     nest) flags='--json --seconds --seed --rotations --margin --spacing --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
-    replay) flags='--from --template -o --output --format --no-reference --margin --spacing --no-turning --nest --sheets --machine --skin --tabs --lead --common-lines --coupon --dxf --paper --parts --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
+    replay) flags='--from --template -o --output --format --no-reference --joint-colours --margin --spacing --no-turning --nest --sheets --machine --skin --tabs --lead --common-lines --coupon --dxf --paper --parts --set --thickness --stock --kerf --clearance --sheet --offcut --unit-mm --verbose -h --help' ;;
     esac
     if [[ $word == -* ]]; then
         COMPREPLY=($(compgen -W "$flags" -- "$word"))
