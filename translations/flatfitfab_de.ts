@@ -10434,6 +10434,18 @@
         <source>Any laser</source>
         <translation>Irgendein Laser</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Kein Teil liegt auf einem Reststück.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>%1 von %n Reststück zuerst verbraucht.</numerusform>
+            <numerusform>%1 von %n Reststücken zuerst verbraucht.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

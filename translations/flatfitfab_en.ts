@@ -767,6 +767,14 @@
             <numerusform>%n offcuts are used up first.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>%1 of %n offcut used up first.</numerusform>
+            <numerusform>%1 of %n offcuts used up first.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Exporting</name>

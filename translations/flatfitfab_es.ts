@@ -10434,6 +10434,18 @@
         <source>Any laser</source>
         <translation>Cualquier láser</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Ninguna pieza está sobre un retal.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>Primero se gasta %1 de %n retal.</numerusform>
+            <numerusform>Primero se gastan %1 de %n retales.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

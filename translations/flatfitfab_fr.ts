@@ -10434,6 +10434,18 @@
         <source>Any laser</source>
         <translation>Laser quelconque</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Aucune pièce n’est sur une chute.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>%1 chute sur %n utilisée d’abord.</numerusform>
+            <numerusform>%1 chutes sur %n utilisées d’abord.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

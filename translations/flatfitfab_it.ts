@@ -10434,6 +10434,18 @@
         <source>Any laser</source>
         <translation>Un laser qualsiasi</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Nessun pezzo sta su un ritaglio.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>Prima si usa %1 ritaglio su %n.</numerusform>
+            <numerusform>Prima si usano %1 ritagli su %n.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

@@ -10332,6 +10332,17 @@
         <source>Any laser</source>
         <translation>一般のレーザー</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>端材に載る部品はありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>端材 %n 枚のうち %1 枚を先に使います。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

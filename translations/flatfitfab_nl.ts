@@ -10434,6 +10434,18 @@
         <source>Any laser</source>
         <translation>Willekeurige laser</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Geen enkel onderdeel ligt op een reststuk.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>%1 van %n reststuk wordt eerst opgebruikt.</numerusform>
+            <numerusform>%1 van %n reststukken eerst opgebruikt.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

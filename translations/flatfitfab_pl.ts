@@ -10536,6 +10536,19 @@
         <source>Any laser</source>
         <translation>Dowolny laser</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Żadna część nie leży na resztce.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>%1 z %n resztki zużywane najpierw.</numerusform>
+            <numerusform>%1 z %n resztek zużywane najpierw.</numerusform>
+            <numerusform>%1 z %n resztek zużywane najpierw.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

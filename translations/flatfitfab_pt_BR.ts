@@ -10434,6 +10434,18 @@
         <source>Any laser</source>
         <translation>Qualquer laser</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>Nenhuma peça está em um retalho.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>%1 de %n retalho usado primeiro.</numerusform>
+            <numerusform>%1 de %n retalhos usados primeiro.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

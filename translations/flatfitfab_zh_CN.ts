@@ -10332,6 +10332,17 @@
         <source>Any laser</source>
         <translation>任意激光机</translation>
     </message>
+    <message>
+        <source>No part lies on an offcut.</source>
+        <translation>没有零件放在余料上。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n offcut(s) used up first.</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>
+            <numerusform>先使用 %n 块余料中的 %1 块。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRemarks</name>

@@ -37,9 +37,11 @@ NestOptions optionsFor(const SheetsQuestion &question, const Model &model,
     return options;
 }
 
-std::size_t sheetCount(const Layout &layout)
+/// Without offcuts, which are there to be used up.
+std::ptrdiff_t wholeSheetCount(const Layout &layout)
 {
-    return layout.sheets.size();
+    return std::count_if(layout.sheets.begin(), layout.sheets.end(),
+                         [](const Sheet &sheet) { return sheet.index >= 0; });
 }
 
 bool isBetter(const Layout &a, const Layout &b, const std::vector<Part> &parts,
@@ -62,6 +64,15 @@ const Nested *before(const Nested *previous, const SheetsQuestion &question)
 bool areSame(const std::shared_ptr<const Region> &a, const std::shared_ptr<const Region> &b)
 {
     return a == b || (a && b && a->outer == b->outer && a->holes == b->holes);
+}
+
+/// Others than there were are there to be used up.
+bool areOffcutsTheSame(const Document &before, const Document &now)
+{
+    return std::all_of(now.stocks.begin(), now.stocks.end(), [&](const auto &stock) {
+        const Stock *was = before.find(stock->id);
+        return was ? was->spares == stock->spares : stock->spares.empty();
+    });
 }
 
 /// As the stocks have them now.
@@ -95,7 +106,8 @@ std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part
                                       const BodiesOfParts &bodies, const Model &model,
                                       NestOptions options)
 {
-    if (!areSheetsTheSame(*last.layout, model, options.layout))
+    if (!areSheetsTheSame(*last.layout, model, options.layout) ||
+        !areOffcutsTheSame(last.analysis->model.document, model.document))
         return std::nullopt;
     std::optional<std::vector<PinnedPart>> lying = lyingStill(lyingOf(last), parts, bodies);
     if (!lying)
@@ -104,7 +116,7 @@ std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part
     std::erase_if(*lying, [&](const PinnedPart &one) { return !mayLieSo(one, options); });
     options.pinned.insert(options.pinned.end(), lying->begin(), lying->end());
     NestedLayout kept = nestOut(parts, model, options);
-    if (sheetCount(kept.layout) > sheetCount(*last.layout) ||
+    if (wholeSheetCount(kept.layout) > wholeSheetCount(*last.layout) ||
         kept.layout.oversized.size() > last.layout->oversized.size())
         return std::nullopt;
     // Of those that were to stay anyway.

@@ -208,18 +208,20 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
     return nested;
 }
 
-double takenArea(const Layout &layout, const std::vector<Part> &parts, const LayoutOptions &options)
+TakenArea takenArea(const Layout &layout, const std::vector<Part> &parts,
+                    const LayoutOptions &options)
 {
-    double area = 0.0;
+    TakenArea area;
     std::set<StockId> seen; // from behind: the first one of a stock is its last
     for (auto sheet = layout.sheets.rbegin(); sheet != layout.sheets.rend(); ++sheet) {
         if (isOfOversized(*sheet, layout))
             continue;
         const bool isLast = seen.insert(sheet->stock).second;
-        area += isLast && !sheet->outline
-                    ? sheet->size.x() *
-                          std::min(sheet->size.y(), usedHeight(*sheet, parts) + options.margin)
-                    : areaOf(*sheet);
+        (sheet->index < 0 ? area.offcuts : area.wholes) +=
+            isLast && !sheet->outline
+                ? sheet->size.x() *
+                      std::min(sheet->size.y(), usedHeight(*sheet, parts) + options.margin)
+                : areaOf(*sheet);
     }
     return area;
 }
@@ -227,13 +229,14 @@ double takenArea(const Layout &layout, const std::vector<Part> &parts, const Lay
 double filledShare(const Layout &layout, const std::vector<Part> &parts,
                    const LayoutOptions &options)
 {
-    const double taken = takenArea(layout, parts, options);
+    const TakenArea area = takenArea(layout, parts, options);
+    const double taken = area.wholes + area.offcuts;
     double covered = 0.0;
     for (const Sheet &sheet : layout.sheets)
         if (!isOfOversized(sheet, layout))
             for (const Placement &placement : sheet.placements)
-                covered +=
-                    std::abs(area(parts[static_cast<std::size_t>(placement.part)].outline.region));
+                covered += std::abs(
+                    fff::area(parts[static_cast<std::size_t>(placement.part)].outline.region));
     return taken > 0.0 ? covered / taken : 0.0;
 }
 

@@ -60,9 +60,16 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
 
 /// What a layout takes of its sheets, mm²: all of them, but of each stock's last one, if it is
 /// rectangular, only as high as parts lie there, with the margin: the rest is whole. Not of
-/// oversized parts. The less of it, the better.
-double takenArea(const Layout &layout, const std::vector<Part> &parts,
-                 const LayoutOptions &options);
+/// oversized parts. The less of it, the better: first of whole sheets, since offcuts are there to
+/// be used up.
+struct TakenArea
+{
+    double wholes = 0.0, offcuts = 0.0;
+
+    auto operator<=>(const TakenArea &) const = default;
+};
+TakenArea takenArea(const Layout &layout, const std::vector<Part> &parts,
+                    const LayoutOptions &options);
 /// How much of that parts cover, 0 … 1; 0 without sheets.
 double filledShare(const Layout &layout, const std::vector<Part> &parts,
                    const LayoutOptions &options);

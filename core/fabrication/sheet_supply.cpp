@@ -34,7 +34,7 @@ std::vector<nest::SheetKind> SheetSupply::kinds(int wholes) const
 {
     std::vector<nest::SheetKind> kinds;
     for (const Sheet &spare : m_spares)
-        kinds.push_back({outlineOf(spare), 1});
+        kinds.push_back({outlineOf(spare), 1, {}, true});
     for (int i = 0; i <= wholes; ++i)
         kinds.push_back({outlineOf(m_whole), i < wholes ? 1 : nest::SheetKind::kUnlimited});
     return kinds;

@@ -32,7 +32,8 @@ Exploration::Exploration(std::span<const Shape> shapes, const std::vector<std::s
               return m_board;
           }(),
           m_random.next()),
-      m_sheets(ground.sheets), m_best(start), m_step(kFirstShortening)
+      m_sheets(ground.sheets), m_freeSheets(start.freeSheets), m_best(start),
+      m_step(kFirstShortening)
 {
 }
 
@@ -40,6 +41,7 @@ void Exploration::restore(const State &state)
 {
     m_board.setSheets(state.sheets);
     m_sheets = state.sheets;
+    m_freeSheets = state.freeSheets;
     m_separation.setPoses(state.poses);
 }
 
@@ -50,7 +52,8 @@ void Exploration::adopt(const State &state)
     restore(m_best);
 }
 
-/// Sheets that nothing lies on any more go; the one with the least on it is the last one then.
+/// Sheets that nothing lies on any more go; the one with the least on it is the last one then. One
+/// that costs nothing stays for what may come to lie there, and is not emptied, while others cost.
 void Exploration::dropEmpty()
 {
     struct Load
@@ -58,6 +61,7 @@ void Exploration::dropEmpty()
         std::size_t count = 0;
         double area = 0.0;
         Box2 sheet;
+        bool isFree = false;
     };
     std::vector<Load> loads(m_sheets.size());
     for (std::size_t item = 0; item < m_board.count(); ++item) {
@@ -65,13 +69,22 @@ void Exploration::dropEmpty()
         ++load.count;
         load.area += m_board.shape(item).area;
     }
-    for (std::size_t i = 0; i < loads.size(); ++i)
+    bool areAllFree = true; // that anything lies on
+    for (std::size_t i = 0; i < loads.size(); ++i) {
         loads[i].sheet = m_sheets[i];
+        loads[i].isFree = i < m_freeSheets;
+        areAllFree = areAllFree && (loads[i].isFree || loads[i].count == 0);
+    }
     if (m_sheets.size() == m_best.sheets.size() && loads.back().count > 0)
         return;
-    std::erase_if(loads, [](const Load &load) { return load.count == 0; });
+    std::erase_if(loads, [areAllFree](const Load &load) {
+        return load.count == 0 && (areAllFree || !load.isFree);
+    });
+    m_freeSheets = static_cast<std::size_t>(
+        std::count_if(loads.begin(), loads.end(), [](const Load &load) { return load.isFree; }));
+    const auto first = loads.begin() + static_cast<std::ptrdiff_t>(areAllFree ? 0 : m_freeSheets);
     const auto least = std::min_element(
-        loads.begin(), loads.end(), [](const Load &a, const Load &b) { return a.area < b.area; });
+        first, loads.end(), [](const Load &a, const Load &b) { return a.area < b.area; });
     std::swap(*least, loads.back());
     m_sheets.clear();
     for (const Load &load : loads)
@@ -94,7 +107,7 @@ void Exploration::keep()
     }
     last().max.x() = right;
     m_board.setSheets(m_sheets);
-    m_best = {m_separation.poses(), std::move(on), m_sheets, right - last().min.x()};
+    m_best = {m_separation.poses(), std::move(on), m_sheets, m_freeSheets, right - last().min.x()};
     m_failed.clear();
 }
 
@@ -174,6 +187,7 @@ void Exploration::dropLast()
         if (m_board.sheetOf(item) == m_sheets.size() - 1)
             homeless.push_back(item);
     m_sheets.pop_back();
+    m_freeSheets = std::min(m_freeSheets, m_sheets.size());
     m_board.setSheets(m_sheets);
     for (const std::size_t item : homeless) {
         Pose pose = m_board.pose(item);

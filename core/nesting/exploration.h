@@ -3,6 +3,8 @@
 
 #include "core/nesting/separation.h"
 
+#include <utility>
+
 namespace fff::nest {
 
 /// The sheets of a search, side by side along x, with what is not free on them.
@@ -14,7 +16,7 @@ struct Ground
         Vec2 at = Vec2::Zero();
     };
 
-    std::vector<Box2> sheets;
+    std::vector<Box2> sheets; // as of a state
     std::vector<Obstacle> obstacles;
 };
 
@@ -24,12 +26,21 @@ struct State
     std::vector<Pose> poses;
     std::vector<std::size_t> on; // the sheet of each
     std::vector<Box2> sheets;    // the last one as far as it is used
+    std::size_t freeSheets = 0;  // the first ones; some may be empty while there are others
     double length = 0.0;         // that is used of the last sheet
 
+    /// Those that cost nothing count where there are no others.
+    bool takesFewerSheets(const State &other) const { return cost() < other.cost(); }
     bool isBetterThan(const State &other) const
     {
-        return sheets.size() != other.sheets.size() ? sheets.size() < other.sheets.size()
-                                                    : length < other.length;
+        return cost() != other.cost() ? takesFewerSheets(other) : length < other.length;
+    }
+
+private:
+    std::pair<std::size_t, std::size_t> cost() const
+    {
+        const std::size_t paid = sheets.size() - freeSheets;
+        return {paid, paid > 0 ? 0 : freeSheets};
     }
 };
 
@@ -76,6 +87,7 @@ private:
     Random m_random;
     Separation m_separation;
     std::vector<Box2> m_sheets; // as they are on the board
+    std::size_t m_freeSheets;   // the first ones
     State m_best;
     Meter m_meter;
     double m_step = 0.0;          // part of the length by which it becomes shorter next

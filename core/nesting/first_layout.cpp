@@ -225,7 +225,12 @@ Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
             filler.put(piece);
         Laid laid = filler.take();
         const auto key = [&](const Laid &of) {
-            return std::tuple(of.left.size(), of.sheets.size(), usedLength(prepared, of));
+            const auto paid =
+                std::count_if(of.sheets.begin(), of.sheets.end(), [&](const Laid::Sheet &sheet) {
+                    return !prepared.sheets[static_cast<std::size_t>(sheet.kind)].isFree;
+                });
+            return std::tuple(of.left.size(), paid, paid > 0 ? std::size_t{0} : of.sheets.size(),
+                              usedLength(prepared, of));
         };
         if (isFirst || key(laid) < key(best))
             best = std::move(laid);

@@ -72,6 +72,7 @@ Prepared::Sheet sheetOf(const SheetKind &kind, double inset, double room)
 {
     Prepared::Sheet sheet;
     sheet.count = kind.count;
+    sheet.isFree = kind.isFree;
     const Inside inside =
         insideOf(swapped(kind.outline), isBox(kind.outline) ? inset : std::max(inset, 0.0));
     sheet.box = inside.box;

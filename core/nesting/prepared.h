@@ -15,6 +15,7 @@ struct Prepared
         Box2 box;
         std::vector<Shape> obstacles;
         int count = 1; // as SheetKind
+        bool isFree = false;
     };
     std::vector<Sheet> sheets; // by kind; one for a strip
     bool isStrip = false;

@@ -29,12 +29,13 @@ struct SheetKind
     Region outline;
     int count = 1;                   // how many of it there are; kUnlimited: as many as it takes
     std::vector<Polygon> taken = {}; // outlines that lie there already, off which others are laid
+    bool isFree = false;             // costs nothing: what is left of others, to be used up
 
     static constexpr int kUnlimited = -1;
 };
 
-/// Either a strip of that height and any length (from x = 0 on, y from 0), or sheets, of which the
-/// first kinds are used up first.
+/// Either a strip of that height and any length (from x = 0 on, y from 0), or sheets. Of those as
+/// few are taken as it goes that cost something; only where that is none, as few of the others.
 struct Problem
 {
     std::vector<Piece> pieces;

@@ -24,7 +24,7 @@ struct Group
     State start;
 };
 
-/// The last of `sheets` is to become shorter.
+/// The last of `sheets` is to become shorter; those that cost nothing come first.
 Group groupOf(const Prepared &prepared, const Laid &laid, const std::vector<std::size_t> &sheets)
 {
     Group group;
@@ -34,6 +34,7 @@ Group groupOf(const Prepared &prepared, const Laid &laid, const std::vector<std:
         const Prepared::Sheet &kind = prepared.sheets[static_cast<std::size_t>(sheet.kind)];
         const Vec2 by(left - kind.box.min.x(), 0.0);
         group.kinds.push_back(sheet.kind);
+        group.start.freeSheets += kind.isFree ? 1 : 0;
         group.ground.sheets.push_back({kind.box.min + by, kind.box.max + by});
         left += kind.box.size().x() * 1.01 + 1.0;
         for (const Shape &obstacle : kind.obstacles)
@@ -80,16 +81,21 @@ std::vector<Laid::Sheet> sheetsOf(const Prepared &prepared, const Group &group, 
     return sheets;
 }
 
-/// Which of a layout's sheets are searched together next: the one with the least on it, last, and
-/// others as far as they are not too much.
+/// Which of a layout's sheets are searched together next: of those that cost something, if any, the
+/// one with the least on it, last, and others as far as they are not too much.
 std::vector<std::size_t> chosenSheets(const Prepared &prepared, const Laid &laid, Random &random)
 {
-    std::vector<double> covered;
-    for (const Laid::Sheet &sheet : laid.sheets)
-        covered.push_back(std::accumulate(
-            sheet.pieces.begin(), sheet.pieces.end(), 0.0, [&](double sum, int piece) {
-                return sum + prepared.shapes[static_cast<std::size_t>(piece)].area;
-            }));
+    const auto isFree = [&](std::size_t sheet) {
+        return prepared.sheets[static_cast<std::size_t>(laid.sheets[sheet].kind)].isFree;
+    };
+    std::vector<std::pair<bool, double>> covered; // what is free comes last
+    for (std::size_t i = 0; i < laid.sheets.size(); ++i)
+        covered.emplace_back(
+            isFree(i), std::accumulate(laid.sheets[i].pieces.begin(), laid.sheets[i].pieces.end(),
+                                       0.0, [&](double sum, int piece) {
+                                           const auto index = static_cast<std::size_t>(piece);
+                                           return sum + prepared.shapes[index].area;
+                                       }));
     const auto least = static_cast<std::size_t>(std::min_element(covered.begin(), covered.end()) -
                                                 covered.begin());
     std::vector<std::size_t> others;
@@ -106,6 +112,7 @@ std::vector<std::size_t> chosenSheets(const Prepared &prepared, const Laid &laid
         chosen.push_back(sheet);
     }
     std::sort(chosen.begin(), chosen.end());
+    std::stable_partition(chosen.begin(), chosen.end(), isFree);
     chosen.push_back(least);
     return chosen;
 }
@@ -178,7 +185,7 @@ private:
         const State ahead = best();
         for (const auto &island : m_islands) {
             const State &own = island->best();
-            if (own.sheets.size() > ahead.sheets.size() || (all && ahead.isBetterThan(own)) ||
+            if (ahead.takesFewerSheets(own) || (all && ahead.isBetterThan(own)) ||
                 own.length > kFarBehind * ahead.length)
                 island->adopt(ahead);
         }
@@ -219,7 +226,8 @@ Laid improved(Prepared &prepared, Laid laid, const Options &options, const LongW
             if (std::find(chosen.begin(), chosen.end(), i) == chosen.end())
                 next.sheets.push_back(std::move(laid.sheets[i]));
         for (Laid::Sheet &sheet : sheetsOf(prepared, group, islands.best()))
-            next.sheets.push_back(std::move(sheet));
+            if (!sheet.pieces.empty())
+                next.sheets.push_back(std::move(sheet));
         laid = std::move(next);
     }
     steps += done;

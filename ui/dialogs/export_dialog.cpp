@@ -206,6 +206,7 @@ const ExportFile &ExportDialog::file() const
 void ExportDialog::refresh()
 {
     m_remarks->setRemarks(exportRemarks(m_checks, *m_work));
+    m_questions->setLayout(m_work->made() ? m_work->made()->nested->layout : nullptr);
     showPlace();
     refreshFoot();
     takeLeastWidth();

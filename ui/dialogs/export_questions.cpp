@@ -262,11 +262,38 @@ void ExportQuestions::refreshSheet()
     m_ownSheet->setVisible(isOwn);
     for (const int axis : {0, 1})
         m_sides[axis]->setLength(stock.sheet[axis]);
+    refreshOffcuts();
+}
+
+void ExportQuestions::setLayout(std::shared_ptr<const Layout> layout)
+{
+    if (layout == m_layout)
+        return;
+    m_layout = std::move(layout);
+    refreshOffcuts();
+}
+
+/// Of those that there are, what parts do lie on.
+void ExportQuestions::refreshOffcuts()
+{
+    const Stock &stock = m_stocks.stock();
     const int offcuts =
         std::accumulate(stock.spares.begin(), stock.spares.end(), 0,
                         [](int sum, const SpareSheet &spare) { return sum + spare.count; });
-    m_offcuts->setText(tr("%n offcut(s) are used up first.", nullptr, offcuts));
-    m_offcuts->setVisible(offcuts > 0);
+    m_offcuts->setVisible(offcuts > 0 && m_layout);
+    if (m_offcuts->isHidden())
+        return;
+    const auto used = static_cast<int>(
+        std::count_if(m_layout->sheets.begin(), m_layout->sheets.end(), [&](const Sheet &sheet) {
+            return sheet.stock == stock.id && sheet.index < 0;
+        }));
+    if (used == 0)
+        m_offcuts->setText(tr("No part lies on an offcut."));
+    else if (used < offcuts)
+        //: %1 is a number
+        m_offcuts->setText(tr("%1 of %n offcut(s) used up first.", nullptr, offcuts).arg(used));
+    else
+        m_offcuts->setText(tr("%n offcut(s) are used up first.", nullptr, offcuts));
 }
 
 void ExportQuestions::refreshMachine()

@@ -4,10 +4,12 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
+#include "core/fabrication/layout.h"
 #include "ui/dialogs/export_choices.h"
 #include "ui/dialogs/file_question.h"
 #include "ui/dialogs/stock_edits.h"
 
+#include <memory>
 #include <vector>
 
 class QLabel;
@@ -36,6 +38,8 @@ public:
     /// Where it goes, below which it is.
     ExportPlaceRow &place() { return *m_place; }
     void refresh();
+    /// How parts lie, for what is said of offcuts; null: not known.
+    void setLayout(std::shared_ptr<const Layout> layout);
     /// px, with all answers in sight.
     int leastWidth() const;
 
@@ -54,6 +58,7 @@ private:
 
     void refreshStock();
     void refreshSheet();
+    void refreshOffcuts();
     void refreshMachine();
 
     StockEdits &m_stocks;
@@ -63,6 +68,7 @@ private:
     ChoiceBox *m_machineBox = nullptr;
     LinkRow *m_measure = nullptr;
     QLabel *m_offcuts = nullptr;
+    std::shared_ptr<const Layout> m_layout;
     bool m_measuresAgain = false;
     ChoiceBox *m_stockBox = nullptr; // of several
     QLabel *m_onlyStock = nullptr;   // in its place, where there is one

@@ -131,6 +131,8 @@ private Q_SLOTS:
     void layoutsAreSound_data();
     void layoutsAreSound();
     void offcutsAreUsedUpFirst();
+    void searchesUseOffcutsUp();
+    void wholeSheetsCostMore();
     void theLargestPartFitsTheLargestSheetOnly();
     void sheetsBeyondThoseThatThereAre();
     void theHandFindsTheHole();
@@ -201,6 +203,57 @@ void TestOffcuts::offcutsAreUsedUpFirst()
     NestOptions options;
     options.layout.sheet = Vec2(500, 300);
     QVERIFY(nestOut(parts, model, options).layout.sheets.front().size == Vec2(500, 300));
+}
+
+// As little as possible of whole sheets is taken, at all grades: a search that looked at the number
+// of sheets alone put all parts on one whole sheet, and left the offcut where it was.
+void TestOffcuts::searchesUseOffcutsUp()
+{
+    const Model model = modelWith({*rectangularSheet({260.0, 150.0}, 1)});
+    std::vector<Part> parts;
+    for (int i = 0; i < 10; ++i)
+        parts.push_back(
+            plainPart(star(40.0 + i, 0.4, 8, {0, 0}), model.document.currentStock, i + 1));
+    NestOptions options;
+    const Layout quick = nestOut(parts, model, options).layout;
+    QCOMPARE(quick.sheets.size(), 2U);
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        options.seed = seed;
+        options.work = nest::workOf(0.3);
+        const Layout layout = nestOut(parts, model, options).layout;
+        QCOMPARE(faultOnSheets(layout, parts, options), QString());
+        QCOMPARE(layout.sheets.size(), 2U);
+        QCOMPARE(layout.sheets.front().index, -1);
+        QVERIFY(!layout.sheets.front().placements.empty());
+        QVERIFY(
+            !(takenArea(quick, parts, options.layout) < takenArea(layout, parts, options.layout)));
+    }
+    // And where offcuts do for all of them, no whole one is taken.
+    parts.resize(2);
+    const Layout few = nestOut(parts, model, options).layout;
+    QCOMPARE(few.sheets.size(), 1U);
+    QCOMPARE(few.sheets.front().index, -1);
+}
+
+void TestOffcuts::wholeSheetsCostMore()
+{
+    const std::vector<Part> parts{plainPart(box(0, 0, 100, 100), StockId{1}, 1),
+                                  plainPart(box(0, 0, 100, 100), StockId{1}, 2)};
+    const auto on = [](int index, const Vec2 &size, std::vector<Placement> placements) {
+        return Sheet{StockId{1}, size, std::move(placements), index, {}};
+    };
+    const Vec2 whole(600, 400), offcut(260, 150), at(5, 5);
+    const Layout both{
+        {on(-1, offcut, {{0, Vec2::UnitX(), at}}), on(0, whole, {{1, Vec2::UnitX(), at}})}, {}};
+    const Layout stacked{{on(0, whole, {{0, Vec2::UnitX(), at}, {1, Vec2::UnitX(), Vec2(5, 110)}})},
+                         {}};
+    const Layout spare{{on(-1, offcut, {{0, Vec2::UnitX(), at}, {1, Vec2::UnitX(), Vec2(120, 5)}})},
+                       {}};
+    const auto taken = [&](const Layout &layout) { return takenArea(layout, parts, {}); };
+    QVERIFY(taken(both) < taken(stacked));
+    QVERIFY(taken(spare) < taken(both));
+    QCOMPARE(taken(both).wholes, 600.0 * 110.0);
+    QCOMPARE(taken(both).offcuts, 260.0 * 150.0);
 }
 
 void TestOffcuts::theLargestPartFitsTheLargestSheetOnly()
