@@ -10289,6 +10289,10 @@
         <source>Export</source>
         <translation>Exporter</translation>
     </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>Imbrication…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPlaceRow</name>

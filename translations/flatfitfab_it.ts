@@ -10289,6 +10289,10 @@
         <source>Export</source>
         <translation>Esporta</translation>
     </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>Disposizione…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPlaceRow</name>

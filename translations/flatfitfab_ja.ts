@@ -10188,6 +10188,10 @@
         <source>Export</source>
         <translation>書き出す</translation>
     </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>板取り中…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPlaceRow</name>

@@ -10289,6 +10289,10 @@
         <source>Export</source>
         <translation>Exporteren</translation>
     </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>Indelen…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPlaceRow</name>

@@ -10390,6 +10390,10 @@
         <source>Export</source>
         <translation>Eksportuj</translation>
     </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>Rozkładanie…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPlaceRow</name>

@@ -10188,6 +10188,10 @@
         <source>Export</source>
         <translation>导出</translation>
     </message>
+    <message>
+        <source>Nesting…</source>
+        <translation>正在排版…</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportPlaceRow</name>

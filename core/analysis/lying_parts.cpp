@@ -20,6 +20,15 @@ bool isTheSame(const Part &a, const Part &b)
            a.outline.holes == b.outline.holes;
 }
 
+/// Of the same stock, no side of its box moved by more than a kerf or a slit's play may move it.
+bool isAbout(const Part &a, const Part &b)
+{
+    constexpr double kLittle = 2.0; // mm
+    const Box2 box = bounds(a.outline.region.outer), other = bounds(b.outline.region.outer);
+    return a.stock == b.stock && (box.min - other.min).cwiseAbs().maxCoeff() <= kLittle &&
+           (box.max - other.max).cwiseAbs().maxCoeff() <= kLittle;
+}
+
 /// Where each part lay on the sheets of its stock; those that fit none left out.
 std::map<int, PinnedPart> places(const LyingParts &before)
 {
@@ -121,6 +130,23 @@ void goBack(const std::vector<PinnedPlace> &layBefore, const BodiesOfParts &bodi
             if (place.part == part->second)
                 place = {part->second, one.sheet, one.turn, one.offset, true};
     }
+}
+
+std::vector<PinnedPart> layBefore(const LyingParts &before, const std::vector<Part> &parts,
+                                  const BodiesOfParts &bodies)
+{
+    const BodiesOfParts old = bodiesOfParts(before.model, before.parts);
+    std::vector<PinnedPart> all;
+    for (auto [index, place] : places(before)) {
+        const auto was = static_cast<std::size_t>(index);
+        const auto now = bodies.partOf.find(old.ofPart[was]);
+        if (now == bodies.partOf.end() ||
+            !isAbout(parts[static_cast<std::size_t>(now->second)], before.parts[was]))
+            continue;
+        place.part = now->second;
+        all.push_back(place);
+    }
+    return all;
 }
 
 std::optional<std::vector<PinnedPart>>

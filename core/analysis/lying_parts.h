@@ -43,6 +43,10 @@ std::vector<PinnedPlace> layBeforePins(const LyingParts &before,
 void goBack(const std::vector<PinnedPlace> &layBefore, const BodiesOfParts &bodies,
             std::vector<PinnedPart> &lying);
 
+/// Where parts lay that are there still, of the same stock and about as large as they were.
+std::vector<PinnedPart> layBefore(const LyingParts &before, const std::vector<Part> &parts,
+                                  const BodiesOfParts &bodies);
+
 /// All that lay there stays, and yields: what was changed before what was not, to be tried first
 /// where it was. Nothing where so much has changed, come or gone that all is to be laid anew.
 std::optional<std::vector<PinnedPart>>

@@ -101,14 +101,17 @@ LyingParts lyingOf(const Nested &last)
     return {last.analysis->model, last.parts->parts, *last.layout};
 }
 
-/// What an edit has not changed stays; nothing where that is no good.
+bool isOnTheSameSheets(const Nested &last, const Model &model, const LayoutOptions &options)
+{
+    return areSheetsTheSame(*last.layout, model, options) &&
+           areOffcutsTheSame(last.analysis->model.document, model.document);
+}
+
+/// What an edit has not changed stays; nothing where that is no good. On the same sheets.
 std::optional<NestedLayout> afterEdit(const Nested &last, const std::vector<Part> &parts,
                                       const BodiesOfParts &bodies, const Model &model,
                                       NestOptions options)
 {
-    if (!areSheetsTheSame(*last.layout, model, options.layout) ||
-        !areOffcutsTheSame(last.analysis->model.document, model.document))
-        return std::nullopt;
     std::optional<std::vector<PinnedPart>> lying = lyingStill(lyingOf(last), parts, bodies);
     if (!lying)
         return std::nullopt;
@@ -141,12 +144,16 @@ NestedLayout laid(const Nested *last, bool areSameParts, const Nested &now,
     const SheetsQuestion &question = *now.question;
     const Model &model = now.analysis->model;
     const std::vector<Part> &parts = now.parts->parts;
-    const NestOptions options = optionsFor(question, model, bodies);
+    NestOptions options = optionsFor(question, model, bodies);
     std::optional<NestedLayout> base;
     if (last && areSameParts)
         base = asTheyLay(*last);
-    else if (last && question.level == NestLevel::Quick)
+    else if (last && question.level == NestLevel::Quick &&
+             isOnTheSameSheets(*last, model, options.layout)) {
         base = afterEdit(*last, parts, bodies, model, options);
+        if (!base) // much is another than it was: a kerf, a clearance
+            options.before = layBefore(lyingOf(*last), parts, bodies);
+    }
     if (base && question.level == NestLevel::Quick)
         return *std::move(base);
     NestedLayout found = nestOut(parts, model, options, work);

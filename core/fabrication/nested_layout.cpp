@@ -93,6 +93,33 @@ nest::Problem problemOf(const std::vector<Part> &parts, const StockParts &stock,
     return problem;
 }
 
+/// How the pieces lay, on kinds of the problem; without places where that is not known of all.
+nest::Solution solutionBefore(const StockParts &stock, const NestOptions &options)
+{
+    std::map<int, const PinnedPart *> lay; // by part
+    for (const PinnedPart &one : options.before)
+        if (stock.supply.has(one.sheet))
+            lay[one.part] = &one;
+    nest::Solution before;
+    const int last = stock.supply.kindOf(wholeSheetsOf(stock.pinned)); // of many sheets
+    std::map<int, std::vector<nest::Place>> sheets;                    // by what would be a kind
+    for (std::size_t i = 0; i < stock.parts.size(); ++i) {
+        const auto place = lay.find(stock.parts[i]);
+        if (place == lay.end())
+            return before;
+        sheets[stock.supply.kindOf(place->second->sheet)].push_back(
+            {static_cast<int>(i), 0, place->second->turn, place->second->offset});
+    }
+    for (auto &[kind, places] : sheets) {
+        for (nest::Place &place : places) {
+            place.sheet = static_cast<int>(before.sheets.size());
+            before.places.push_back(place);
+        }
+        before.sheets.push_back(std::min(kind, last));
+    }
+    return before;
+}
+
 /// Offcuts, sheets with pinned parts in their order, whether or not others came to lie there, and
 /// plain ones.
 void addSheets(const nest::Solution &solution, const StockParts &stock, Layout &layout)
@@ -194,7 +221,8 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
                             [&](double within) { longWork.tell(done + share * within); }};
         const nest::Solution solution =
             stock.parts.empty() ? nest::Solution()
-                                : nest::nestPieces(problemOf(parts, stock, options), of, part);
+                                : nest::nestPieces(problemOf(parts, stock, options), of, part,
+                                                   solutionBefore(stock, options));
         nested.work += solution.work;
         addSheets(solution, stock, nested.layout);
         for (const int piece : solution.left) {

@@ -26,6 +26,9 @@ struct NestOptions
     std::vector<nest::Turning> turnings; // of each part, where there is one, in place of that
     bool fillsHoles = true;              // parts may lie in holes of others
     std::vector<PinnedPart> pinned;      // the others lie around them
+    /// Of all parts that are not pinned: where they lay while they, or the spacing, were a little
+    /// different. To begin with, where that is no worse (nest::nestPieces()).
+    std::vector<PinnedPart> before;
 
     std::uint64_t seed = 1;
     std::int64_t work = 0; // for all stocks together, see nest::Options

@@ -203,6 +203,19 @@ double usedLength(const Prepared &prepared, const Laid &laid)
     return right - left;
 }
 
+bool isBetter(const Prepared &prepared, const Laid &a, const Laid &b)
+{
+    const auto key = [&](const Laid &of) {
+        const auto paid =
+            std::count_if(of.sheets.begin(), of.sheets.end(), [&](const Laid::Sheet &sheet) {
+                return !prepared.sheets[static_cast<std::size_t>(sheet.kind)].isFree;
+            });
+        return std::tuple(of.left.size(), paid, paid > 0 ? std::size_t{0} : of.sheets.size(),
+                          usedLength(prepared, of));
+    };
+    return key(a) < key(b);
+}
+
 Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
 {
     const std::vector<int> kinds = kindsOfOutlines(prepared);
@@ -224,15 +237,7 @@ Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
         for (const int piece : pieces)
             filler.put(piece);
         Laid laid = filler.take();
-        const auto key = [&](const Laid &of) {
-            const auto paid =
-                std::count_if(of.sheets.begin(), of.sheets.end(), [&](const Laid::Sheet &sheet) {
-                    return !prepared.sheets[static_cast<std::size_t>(sheet.kind)].isFree;
-                });
-            return std::tuple(of.left.size(), paid, paid > 0 ? std::size_t{0} : of.sheets.size(),
-                              usedLength(prepared, of));
-        };
-        if (isFirst || key(laid) < key(best))
+        if (isFirst || isBetter(prepared, laid, best))
             best = std::move(laid);
         isFirst = false;
     }

@@ -22,6 +22,8 @@ struct Laid
 
 /// How far the last sheet is used.
 double usedLength(const Prepared &prepared, const Laid &laid);
+/// Less is left, fewer sheets are taken, or less of the last one.
+bool isBetter(const Prepared &prepared, const Laid &a, const Laid &b);
 
 /// The largest piece first, on the first sheet that has room for it. A sheet that has no room for a
 /// piece is asked again when pieces are a good deal smaller, so that the time grows about in line

@@ -79,6 +79,25 @@ Solution solutionOf(const Problem &problem, const Prepared &prepared, const Laid
     return solution;
 }
 
+/// As they lay, seen by the search; none where it is not of all pieces.
+std::optional<Laid> laidAs(const Solution &before, const Problem &problem, const Prepared &prepared)
+{
+    std::vector<int> missing;
+    for (const Piece &piece : problem.pieces)
+        missing.push_back(piece.demand);
+    Laid laid;
+    for (const int kind : before.sheets)
+        laid.sheets.push_back({kind, {}, {}});
+    for (const Place &place : before.places) {
+        Laid::Sheet &sheet = laid.sheets[static_cast<std::size_t>(place.sheet)];
+        sheet.pieces.push_back(place.piece);
+        sheet.poses.push_back(poseOf(prepared, place));
+        --missing[static_cast<std::size_t>(place.piece)];
+    }
+    const bool isOfAll = std::all_of(missing.begin(), missing.end(), [](int n) { return n == 0; });
+    return isOfAll && !before.places.empty() ? std::optional(std::move(laid)) : std::nullopt;
+}
+
 } // namespace
 
 std::vector<Vec2> turnsOf(Turning turning)
@@ -100,12 +119,23 @@ std::int64_t workOf(double seconds)
     return std::llround(seconds * kWorkPerSecond);
 }
 
-Solution nestPieces(const Problem &problem, const Options &options, const LongWork &longWork)
+Solution nestPieces(const Problem &problem, const Options &options, const LongWork &longWork,
+                    const Solution &before)
 {
     Prepared prepared = prepare(problem);
     Steps steps = 0;
-    const Laid first = firstLayout(prepared, problem, steps);
+    Laid first = firstLayout(prepared, problem, steps);
     Solution solution = solutionOf(problem, prepared, first);
+    if (const std::optional<Laid> lay = laidAs(before, problem, prepared)) {
+        std::optional<Laid> apart = takenApart(prepared, *lay, options.seed, longWork.stop, steps);
+        if (apart && !isBetter(prepared, first, *apart)) {
+            Solution again = solutionOf(problem, prepared, *apart);
+            if (!faultOf(problem, again)) {
+                first = *std::move(apart);
+                solution = std::move(again);
+            }
+        }
+    }
     if (options.work > 0 && !longWork.isStopped()) {
         const Laid better = improved(prepared, first, options, longWork, steps);
         Solution found = solutionOf(problem, prepared, better);

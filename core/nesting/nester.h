@@ -14,9 +14,14 @@ namespace fff::nest {
 /// Problem   see there; of outlines that cross themselves what they wind round counts
 /// Options   `work` for each of two searches, which run side by side
 /// longWork  stopped: what is best so far is given out. The clock, if any, is its caller's.
+/// before    places of all pieces, on sheets of these kinds, where they lay when they, or their
+///           distances, were a little different: what overlaps by now is taken apart, with little
+///           work, and what comes of it is begun with unless it is worse than the first layout.
+///           Not of many pieces. Without places: nothing is known.
 ///
 /// The same problem, seed and work give the same solution, bit for bit, unless it was stopped.
 /// Source  J. Gardeyn, G. Vanden Berghe, T. Wauters 2025, arXiv 2509.13329.
-Solution nestPieces(const Problem &problem, const Options &options, const LongWork &longWork = {});
+Solution nestPieces(const Problem &problem, const Options &options, const LongWork &longWork = {},
+                    const Solution &before = {});
 
 } // namespace fff::nest

@@ -142,4 +142,22 @@ Place placeOf(const Prepared &prepared, int piece, int sheet, const Pose &pose)
     return place;
 }
 
+Pose poseOf(const Prepared &prepared, const Place &place)
+{
+    const Shape &shape = prepared.shapes[static_cast<std::size_t>(place.piece)];
+    const Vec2 turn = prepared.isStrip ? place.turn : swappedTurn(place.turn);
+    const auto nearest = std::min_element(
+        shape.turns.begin(), shape.turns.end(), [&turn](const Posed &a, const Posed &b) {
+            return (a.turn - turn).squaredNorm() < (b.turn - turn).squaredNorm();
+        });
+    Pose pose;
+    pose.turn = static_cast<int>(nearest - shape.turns.begin());
+    if (shape.turnsFreely && nearest->turn != turn) {
+        pose.turn = Pose::kFree;
+        pose.direction = turn;
+    }
+    pose.at = (prepared.isStrip ? place.offset : swapped(place.offset)) - turned(shape.moved, turn);
+    return pose;
+}
+
 } // namespace fff::nest

@@ -31,5 +31,7 @@ Prepared prepare(const Problem &problem);
 
 /// How a piece lies, seen by its problem.
 Place placeOf(const Prepared &prepared, int piece, int sheet, const Pose &pose);
+/// The other way; what may not be turned so is turned as nearly as it may be.
+Pose poseOf(const Prepared &prepared, const Place &place);
 
 } // namespace fff::nest

@@ -14,6 +14,8 @@ constexpr int kMeetings = 8; // while exploring, and as many while compressing
 constexpr double kExploringShare = 0.8;
 /// More pieces than this take too long to be taken apart at once.
 constexpr std::size_t kMostItems = 250;
+/// Of work at most that what lay before is taken apart for.
+constexpr double kSecondsApart = 0.5;
 
 /// Some sheets of a layout, as one search has them.
 struct Group
@@ -195,18 +197,64 @@ private:
     bool m_usesThreads;
 };
 
+void addPoles(Prepared &prepared)
+{
+    for (Shape &shape : prepared.shapes)
+        shape.addPoles();
+    for (Prepared::Sheet &sheet : prepared.sheets)
+        for (Shape &obstacle : sheet.obstacles)
+            obstacle.addPoles();
+}
+
 } // namespace
+
+std::optional<Laid> takenApart(Prepared &prepared, const Laid &laid, std::uint64_t seed,
+                               std::stop_token stop, Steps &steps)
+{
+    constexpr Patience kLittle{2, 40};
+    if (laid.count() == 0 || laid.count() > kMostItems)
+        return std::nullopt;
+    addPoles(prepared);
+    std::vector<std::size_t> sheets(laid.sheets.size());
+    std::iota(sheets.begin(), sheets.end(), std::size_t{0});
+    const Group group = groupOf(prepared, laid, sheets);
+    Board board(prepared.shapes, group.ground.sheets, group.items.size());
+    for (std::size_t i = 0; i < group.items.size(); ++i)
+        board.add(group.items[i], group.start.poses[i]);
+    for (const Ground::Obstacle &obstacle : group.ground.obstacles)
+        board.addObstacle(*obstacle.shape, obstacle.at);
+    for (std::size_t item = 0; item < board.count(); ++item) {
+        Pose pose = board.pose(item);
+        const auto inside = board.within(board.posed(item), pose.at, board.sheetOf(item));
+        if (!inside)
+            return std::nullopt;
+        pose.at = *inside;
+        board.place(item, pose);
+    }
+    Separation separation(board, seed);
+    Meter meter{0, workOf(kSecondsApart), std::move(stop)};
+    const bool isFree = separation.run(kLittle, meter);
+    steps += meter.used;
+    if (!isFree)
+        return std::nullopt;
+    State state = group.start;
+    state.sheets = group.ground.sheets;
+    state.poses = separation.poses();
+    for (std::size_t item = 0; item < board.count(); ++item)
+        state.on[item] = board.sheetOf(item);
+    Laid apart;
+    for (Laid::Sheet &sheet : sheetsOf(prepared, group, state))
+        if (!sheet.pieces.empty())
+            apart.sheets.push_back(std::move(sheet));
+    return apart;
+}
 
 Laid improved(Prepared &prepared, Laid laid, const Options &options, const LongWork &longWork,
               Steps &steps)
 {
     if (laid.count() == 0 || options.work <= 0)
         return laid;
-    for (Shape &shape : prepared.shapes)
-        shape.addPoles();
-    for (Prepared::Sheet &sheet : prepared.sheets)
-        for (Shape &obstacle : sheet.obstacles)
-            obstacle.addPoles();
+    addPoles(prepared);
     Random random(options.seed);
     // Where all pieces are too many for one search, several have a share of the work.
     const auto rounds = static_cast<Steps>((laid.count() + kMostItems - 1) / kMostItems);

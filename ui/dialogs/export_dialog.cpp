@@ -220,6 +220,14 @@ void ExportDialog::takeLeastWidth()
     setMinimumWidth(std::max(minimumWidth(), layout()->minimumSize().width()));
 }
 
+/// That parts may come to lie better, or otherwise, than they do.
+QString ExportDialog::nestingText() const
+{
+    if (!m_bench.nesting().isSearching() && !m_work->isWorking())
+        return {};
+    return QStringLiteral(" \u00B7 ") + tr("Nesting…");
+}
+
 void ExportDialog::refreshFoot()
 {
     const Cutting *cutting = m_work->cutting();
@@ -240,7 +248,8 @@ void ExportDialog::refreshFoot()
             keepingUnits(tr("%1 on %2 \u00B7 %3 of cutting")
                              .arg(bold(partCountText(cutting->partCount)),
                                   bold(sheetCountText(cutting->sheetCount())),
-                                  cutLengthText(cutLength(cutting->drawing), locale()))));
+                                  cutLengthText(cutLength(cutting->drawing), locale())) +
+                         nestingText()));
     else
         m_foot->setText(m_work->isWorking() ? tr("Working…") : QString());
     const std::vector<ExportRemark> &remarks = m_remarks->remarks();

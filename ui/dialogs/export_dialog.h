@@ -63,6 +63,7 @@ private:
     QWidget *makeFoot();
     void refresh();
     void refreshFoot();
+    QString nestingText() const;
     void takeLeastWidth();
     void takeLook();
     void takeFile();

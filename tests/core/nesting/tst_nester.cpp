@@ -61,6 +61,7 @@ private Q_SLOTS:
     void layoutsAreSound();
     void theSeedGivesTheLayout();
     void moreWorkIsNeverWorse();
+    void beginsWhereItLay();
     void fillsMoreThanBoxes();
     void stoppedKeepsWhatIsBest();
     void progressNeverFalls();
@@ -134,6 +135,34 @@ void TestNester::moreWorkIsNeverWorse()
 }
 
 // Wrong: triangles would lie as their boxes do, half of each empty.
+// A layout that was searched for is kept by what is a little different: as it is where that is
+// sound, taken apart where pieces are nearer to each other than they may be by now.
+void TestNester::beginsWhereItLay()
+{
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        nest::Problem problem = onSheets(seed, Turning::Free);
+        for (nest::Piece &piece : problem.pieces)
+            piece.demand = 1;
+        nest::Options options;
+        options.work = 4 * kALittle;
+        const nest::Solution found = nest::nestPieces(problem, options);
+        QVERIFY(found.left.empty());
+        const nest::Solution same = nest::nestPieces(problem, {}, {}, found);
+        QVERIFY(same.sheets == found.sheets);
+        for (std::size_t i = 0; i < found.places.size(); ++i)
+            QVERIFY((same.places[i].offset - found.places[i].offset).norm() < 1e-3);
+        problem.spacing += 0.2;
+        const nest::Solution apart = nest::nestPieces(problem, {}, {}, found);
+        QVERIFY(!nest::faultOf(problem, apart));
+        QVERIFY(!isWorse(apart, nest::nestPieces(problem, {})));
+        QVERIFY(areSame(apart, nest::nestPieces(problem, {}, {}, found)));
+        // Of some of the pieces it is not known: as if it were of none.
+        nest::Solution part = found;
+        part.places.pop_back();
+        QVERIFY(areSame(nest::nestPieces(problem, {}, {}, part), nest::nestPieces(problem, {})));
+    }
+}
+
 void TestNester::fillsMoreThanBoxes()
 {
     nest::Problem problem;

@@ -121,6 +121,8 @@ private Q_SLOTS:
     void anEditLeavesTheRest();
     void aGoneSectionLeavesTheRest();
     void manyChangesLayAllAnew();
+    void aKerfLeavesAllWhereItLay();
+    void aNewOffcutIsLaidOn();
     void otherSheetsAreLaidAnew();
     void askedAnewForgetsWhatLay();
     void stoppedKeepsTheBest();
@@ -307,6 +309,44 @@ void TestSheets::manyChangesLayAllAnew()
     const Nested before = askedOf(analysisOf(combModel(8)), {});
     const AnalysisPointer analysis = analysisOf(eggCrate(4, 4));
     QVERIFY(lyingOn(askedOf(analysis, {}, &before)) == lyingOn(askedOf(analysis, {})));
+}
+
+// Wrong: all parts are a little larger, and the layout that a search has found is lost.
+void TestSheets::aKerfLeavesAllWhereItLay()
+{
+    Document document = combModel(8);
+    Nested before = askedOf(analysisOf(document), {});
+    QCOMPARE(before.layout->sheets.size(), std::size_t(1));
+    // As no quick layout has it, and none that is more of the sheet.
+    const Vec2 by(70.0, 0.0);
+    Layout shifted = *before.layout;
+    for (Placement &one : shifted.sheets.front().placements)
+        one.offset += by;
+    before.layout = std::make_shared<const Layout>(shifted);
+    QVERIFY(isSound(before));
+    Stock stock = *document.find(document.currentStock);
+    stock.kerf += 0.1;
+    stock.clearance += 0.05;
+    document = *setStock(std::move(document), stock);
+    const Nested after = askedOf(analysisOf(document), {}, &before);
+    QVERIFY(isSound(after));
+    QCOMPARE(after.layout->sheets.size(), std::size_t(1));
+    const std::map<int, Lying> was = lyingOn(before), is = lyingOn(after);
+    for (const auto &[part, lying] : is)
+        QVERIFY2((lying.offset - was.at(part).offset).norm() < 10.0,
+                 qPrintable(QString::number(part)));
+}
+
+// Wrong: what lay on whole sheets stays there, and the offcut is not used up.
+void TestSheets::aNewOffcutIsLaidOn()
+{
+    Document document = combModel(8);
+    const Nested before = askedOf(analysisOf(document), {});
+    Stock stock = *document.find(document.currentStock);
+    stock.spares = {*rectangularSheet({260.0, 150.0})};
+    document = *setStock(std::move(document), stock);
+    const Nested after = askedOf(analysisOf(document), {}, &before);
+    QCOMPARE(after.layout->sheets.front().index, -1);
 }
 
 // Wrong: parts stay on as many sheets when these are larger now.

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/session/check_list.h"
+#include "core/session/sheet_nesting.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "tests/ui/dialogs/export_hand.h"
@@ -56,6 +57,7 @@ private Q_SLOTS:
     void aColourForEachJoint();
     void nonsenseInTheSettingsIsPassedOver();
     void manySheetsAreTurned();
+    void aSearchIsSaid();
     void severalStocksAreChosenFrom();
     void allPartsAreListed();
     void solidsHaveNoSheets();
@@ -398,6 +400,23 @@ void TestExportDialog::manySheetsAreTurned()
         QTRY_COMPARE(preview->sheetCount(), 1);
         QCOMPARE(preview->sheet(), 0);
         QVERIFY(!next->isVisible());
+    });
+}
+
+// Wrong: a search goes on, and the number of sheets changes without a word.
+void TestExportDialog::aSearchIsSaid()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        const auto isSaid = [dialog] {
+            return textOf(dialog, "exportTotals").endsWith(QStringLiteral("Nesting…"));
+        };
+        QTRY_VERIFY(!isSaid());
+        SheetNesting &nesting = m_window->bench().nesting();
+        nesting.nest(NestLevel::Best);
+        QVERIFY(isSaid());
+        nesting.stop();
+        QTRY_VERIFY(!isSaid());
     });
 }
 
