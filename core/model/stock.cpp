@@ -1,5 +1,7 @@
 #include "core/model/stock.h"
 
+#include <cmath>
+
 namespace fff {
 
 bool cutsTheSameSlits(const Stock &a, const Stock &b)
@@ -7,6 +9,17 @@ bool cutsTheSameSlits(const Stock &a, const Stock &b)
     return a.thickness == b.thickness && a.clearance == b.clearance && a.slitEnd == b.slitEnd &&
            (a.toolDiameter == b.toolDiameter || a.slitEnd == SlitEnd::Square) &&
            a.leadIn == b.leadIn && a.bumps == b.bumps;
+}
+
+void setThickness(Stock &stock, double mm, bool isMeasured)
+{
+    // What cast acrylic may be off by (ISO 7823-1), more than any board is.
+    constexpr double kOff = 0.4, kOffShare = 0.1; // mm; of what it is sold as
+    const double sold = stock.nominalThickness.value_or(stock.thickness);
+    const bool isOfThat =
+        isMeasured || stock.nominalThickness || std::abs(mm - sold) <= kOff + kOffShare * sold;
+    stock.thickness = mm;
+    stock.nominalThickness = isOfThat && sold != mm ? std::optional(sold) : std::nullopt;
 }
 
 Stock birchPlywood()

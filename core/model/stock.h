@@ -72,6 +72,10 @@ bool cutsTheSameSlits(const Stock &a, const Stock &b);
 inline constexpr double kAcrylicForMonths = 0.25;
 
 /// What a new document starts with: birch plywood, 3 mm.
+/// How thick it is: what it was sold as it stays, unless it is another sheet that is so thick.
+/// isMeasured: whatever comes of it
+void setThickness(Stock &stock, double mm, bool isMeasured);
+
 Stock birchPlywood();
 /// What FlatFab's files mean: acrylic, an eighth of an inch, 60 MPa (paper, section Verification).
 Stock flatfabAcrylic();

@@ -106,7 +106,7 @@ QuestionRow *ExportQuestions::makeStock()
     connect(m_measure, &LinkRow::clicked, this, &ExportQuestions::measure);
     connect(m_thickness, &LengthEdit::lengthEdited, this, [this](double mm) {
         m_stocks.edit([mm](Stock &stock) {
-            stock.thickness = mm;
+            setThickness(stock, mm, true);
             stock.isMeasured = true;
         });
     });

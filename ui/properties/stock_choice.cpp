@@ -121,7 +121,7 @@ Result<Document> withThickness(Document document, std::span<const StockId> stock
         if (!stock)
             continue;
         Stock changed = *stock;
-        changed.thickness = millimetres;
+        setThickness(changed, millimetres, changed.isMeasured);
         next = setStock(std::move(*next), changed);
     }
     return next;

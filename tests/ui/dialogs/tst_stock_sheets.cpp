@@ -32,6 +32,7 @@ private Q_SLOTS:
     void partsLieOnIt();
     void moreSheetsThanThereAre();
     void soldAsAndMeasured();
+    void aMeasuredThicknessIsNotWhatItIsSoldAs();
 
 private:
     Session &session() { return m_window->bench().session(); }
@@ -166,6 +167,29 @@ void TestStockSheets::soldAsAndMeasured()
     QVERIFY(box);
     QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
     QVERIFY(stock().isMeasured);
+}
+
+/// Wrong: what the calipers say becomes what the sheet is sold as.
+void TestStockSheets::aMeasuredThicknessIsNotWhatItIsSoldAs()
+{
+    session().commit(QStringLiteral("draw"), squareDocument());
+    QDialog *dialog = editor();
+    typeInto(dialog, "thicknessEdit", QStringLiteral("2.85"));
+    QCOMPARE(stock().thickness, 2.85);
+    QCOMPARE(stock().nominalThickness, std::optional(3.0));
+    QCOMPARE(dialog->findChild<QDoubleSpinBox *>(QStringLiteral("stockNominal"))->value(), 3.0);
+    typeInto(dialog, "thicknessEdit", QStringLiteral("3"));
+    QVERIFY(!stock().nominalThickness);
+    // Another sheet.
+    typeInto(dialog, "thicknessEdit", QStringLiteral("6"));
+    QVERIFY(!stock().nominalThickness);
+    // As it was measured for Export, however far off.
+    inExportPanel(*m_window, [&](QDialog *panel) {
+        typeInto(panel, "exportThickness", QStringLiteral("4.9"));
+        exportTo(panel, file("a.svg"));
+    });
+    QCOMPARE(stock().thickness, 4.9);
+    QCOMPARE(stock().nominalThickness, std::optional(6.0));
 }
 
 FFF_TEST_WITH(TestStockSheets, [](int argc, char *argv[]) {
