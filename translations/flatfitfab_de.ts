@@ -15417,6 +15417,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>The numbers are those engraved on the parts. At every slit there is the number of its joint after a short bar, the same on both of its parts.</source>
         <translation>Die Nummern sind die, die auf den Teilen eingraviert sind. An jedem Schlitz steht hinter einem kurzen Strich die Nummer seiner Verbindung, auf beiden Teilen dieselbe.</translation>
     </message>
+    <message>
+        <source>%1, in %2.</source>
+        <extracomment>%1 is &quot;38 parts&quot;, %2 &quot;38 steps&quot;</extracomment>
+        <translation>%1, in %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StepsView</name>

@@ -15417,6 +15417,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>et %n autres</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, in %2.</source>
+        <extracomment>%1 is &quot;38 parts&quot;, %2 &quot;38 steps&quot;</extracomment>
+        <translation>%1, en %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StepsView</name>

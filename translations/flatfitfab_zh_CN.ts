@@ -15285,6 +15285,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>另外 %n 个</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, in %2.</source>
+        <extracomment>%1 is &quot;38 parts&quot;, %2 &quot;38 steps&quot;</extracomment>
+        <translation>%1，分 %2完成。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StepsView</name>

@@ -18,11 +18,12 @@ namespace {
 
 using ui::StepsFiles;
 
-StepsFiles::Options onPaper(const QString &title)
+StepsFiles::Options onPaper(const QString &title, std::shared_ptr<const Layout> layout)
 {
     StepsFiles::Options options;
     options.kind = StepsFiles::Kind::Paper;
     options.paper.title = title;
+    options.paper.layout = std::move(layout);
     options.paper.size = ui::StepsPaper::usualSize(QLocale::system());
     orientationOfView("iso1", options.looking.orientation);
     return options;
@@ -31,7 +32,7 @@ StepsFiles::Options onPaper(const QString &title)
 } // namespace
 
 std::vector<io::NamedBytes> enclosedSteps(const Analysis &analysis, const QString &title,
-                                          QString &why)
+                                          std::shared_ptr<const Layout> layout, QString &why)
 {
     const auto shared = std::make_shared<const Analysis>(analysis);
     const ModelPlan plan = planOf(*shared, timeLimit(kPlanningTime));
@@ -43,7 +44,7 @@ std::vector<io::NamedBytes> enclosedSteps(const Analysis &analysis, const QStrin
     why = QCoreApplication::translate("CommandLine", "there is no display with OpenGL 3.3.");
     if (!qobject_cast<QGuiApplication *>(QCoreApplication::instance()))
         return {};
-    StepsFiles files(steps, onPaper(title));
+    StepsFiles files(steps, onPaper(title, std::move(layout)));
     if (!files.isUsable())
         return {};
     for (int piece = 0; piece < files.pieceCount(); ++piece)

@@ -271,7 +271,9 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
 #ifdef FFF_HAS_VIEW
     if (options.format == &io::workshopFormat()) {
         QString none;
-        options.enclosed = enclosedSteps(*analysis, QFileInfo(input).completeBaseName(), none);
+        options.lying = layoutFor(*analysis, options); // which the steps tell of
+        options.enclosed =
+            enclosedSteps(*analysis, QFileInfo(input).completeBaseName(), options.lying, none);
         if (options.enclosed.empty())
             //: %1 is a sentence
             printError(tr("The steps are not among the files: %1").arg(none));

@@ -205,6 +205,14 @@ Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout
     return cutting;
 }
 
+std::shared_ptr<const Layout> layoutFor(const Analysis &analysis, const CuttingOptions &options)
+{
+    const Result<CutParts> parts = cutParts(analysis, options.compensatesKerf);
+    if (!parts)
+        return nullptr;
+    return std::make_shared<const Layout>(layoutOf(analysis.model, parts->parts, options));
+}
+
 Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options)
 {
     Result<CutParts> parts = cutParts(analysis, options.compensatesKerf);

@@ -84,6 +84,10 @@ Result<CutParts> cutParts(const Analysis &analysis, bool compensatesKerf);
 Result<Cutting> cuttingOf(const Analysis &analysis, CutParts parts, const Layout &layout,
                           const DrawingExtras &extras);
 
+/// How its parts lie with these options, for those who tell of sheets beside a drawing. Null where
+/// nothing can be cut.
+std::shared_ptr<const Layout> layoutFor(const Analysis &analysis, const CuttingOptions &options);
+
 /// Of a model that has no part: whether because it has no section, or because slits leave nothing.
 tl::unexpected<Error> nothingToExport(const Analysis &analysis);
 

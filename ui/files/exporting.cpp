@@ -195,7 +195,14 @@ bool Exporting::writeDrawing(const QString &path, const ExportKind &kind)
     WorkshopSteps steps;
     if (kind.format->writeUnpacked) {
         const QFileInfo named(m_model.isEmpty() ? path : m_model);
-        steps = workshopSteps(m_window, m_bench.session(), doing, named.completeBaseName());
+        if (!options.lying) // the steps tell of the sheets that are cut
+            options.lying = *inBackground<std::shared_ptr<const Layout>>(
+                m_window, doing, MayCancel::No,
+                [analysis = m_bench.session().analysisPointer(), options] {
+                    return layoutFor(*analysis, options);
+                });
+        steps = workshopSteps(m_window, m_bench.session(), doing, named.completeBaseName(),
+                              options.lying);
         if (steps.isGivenUp)
             return false;
         options.enclosed = steps.files;

@@ -40,11 +40,13 @@ WorkshopSteps withoutSteps(const QString &why)
     return {{}, text, false};
 }
 
-StepsFiles::Options paperOptions(const QWidget &window, const QString &title)
+StepsFiles::Options paperOptions(const QWidget &window, const QString &title,
+                                 std::shared_ptr<const Layout> layout)
 {
     StepsFiles::Options options;
     options.kind = StepsFiles::Kind::Paper;
-    options.paper = {title, StepsPaper::usualSize(window.locale()), settings().unit(), stockName};
+    options.paper = {title, StepsPaper::usualSize(window.locale()), settings().unit(), stockName,
+                     std::move(layout)};
     orientationOfView("iso1", options.looking.orientation);
     return options;
 }
@@ -84,7 +86,7 @@ std::vector<io::NamedBytes> inWorkshopFolder(const QString &folder,
 }
 
 WorkshopSteps workshopSteps(QWidget &window, const Session &session, const QString &doing,
-                            const QString &title)
+                            const QString &title, std::shared_ptr<const Layout> layout)
 {
     const Scheduler &scheduler = session.scheduler();
     if (!waitWithProgress(window, doing, MayCancel::Yes,
@@ -97,7 +99,7 @@ WorkshopSteps workshopSteps(QWidget &window, const Session &session, const QStri
         planned ? assemblySteps(planned->analysis, planned->plan) : nullptr;
     if (!steps)
         return withoutSteps(whyNoSteps(session.analysis(), planned ? planned->plan : ModelPlan()));
-    StepsFiles files(steps, paperOptions(window, title));
+    StepsFiles files(steps, paperOptions(window, title, std::move(layout)));
     if (!files.isUsable())
         return withoutSteps(WorkshopTexts::tr("no picture can be made on this display."));
     const Pieces made = doInPieces(window, doing, files.pieceCount(),

@@ -2,10 +2,12 @@
 // where it is not packed.
 #pragma once
 
+#include "core/fabrication/layout.h"
 #include "core/io/file_set.h"
 
 #include <QString>
 
+#include <memory>
 #include <vector>
 
 class QWidget;
@@ -36,8 +38,8 @@ struct WorkshopSteps
 
 /// How the session's model goes together, on paper, in the window's words and lengths. Waits for
 /// the order of assembly; the window shows how far it is.
-/// doing  what is said meanwhile; title  the model's name
+/// doing  what is said meanwhile; title  the model's name; layout  of what is cut
 WorkshopSteps workshopSteps(QWidget &window, const Session &session, const QString &doing,
-                            const QString &title);
+                            const QString &title, std::shared_ptr<const Layout> layout);
 
 } // namespace fff::ui

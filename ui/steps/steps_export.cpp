@@ -87,7 +87,7 @@ StepsFiles::Options StepsExport::optionsFor(const Subject &subject, const QStrin
                    : isPage(path)   ? StepsFiles::Kind::Page
                                     : StepsFiles::Kind::Paper;
     options.paper = {subject.title, StepsPaper::usualSize(m_window.locale()), settings().unit(),
-                     stockName};
+                     stockName, nullptr};
     options.looking = subject.looking;
     return options;
 }
@@ -96,7 +96,14 @@ bool StepsExport::write(const Subject &subject, const QString &path)
 {
     const AssemblyStepsPointer &steps = subject.steps;
     const QString name = QFileInfo(path).fileName();
-    StepsFiles files(steps, optionsFor(subject, path));
+    StepsFiles::Options options = optionsFor(subject, path);
+    if (!isPictures(path))
+        options.paper.layout = *inBackground<std::shared_ptr<const Layout>>(
+            m_window, tr("Exporting %1…").arg(name), MayCancel::No,
+            [analysis = steps->analysis, cutting = subject.cutting] {
+                return layoutFor(*analysis, cutting);
+            });
+    StepsFiles files(steps, options);
     const auto count = static_cast<std::size_t>(steps->playback.stepCount());
     if (isPictures(path) &&
         !mayReplace(m_window, io::numberedFiles(path, std::vector<std::string>(count), kPictures,

@@ -2,6 +2,7 @@
 // done.
 #pragma once
 
+#include "core/analysis/cutting.h"
 #include "core/interaction/camera.h"
 #include "core/session/assembly_steps.h"
 #include "ui/view/steps_files.h"
@@ -29,8 +30,9 @@ public:
     struct Subject
     {
         AssemblyStepsPointer steps;
-        Camera looking; // pictures are seen from the same direction
-        QString title;  // the model's name
+        Camera looking;              // pictures are seen from the same direction
+        QString title;               // the model's name
+        CuttingOptions cutting = {}; // with which its sheets are counted
     };
     /// suggestion  path without a suffix
     bool ask(const Subject &subject, const QString &suggestion);

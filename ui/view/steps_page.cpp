@@ -160,7 +160,7 @@ QString StepsPage::tablePart() const
 
 QByteArray StepsPage::take()
 {
-    const QString facts = StepsPaper::factsText(m_steps);
+    const QString facts = StepsPaper::factsText(m_steps, m_options);
     const QString turning =
         StepsPageTexts::tr("Drag to turn the model, pinch or scroll to zoom, tap twice to see all "
                            "of it.");

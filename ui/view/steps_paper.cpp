@@ -1,7 +1,7 @@
 #include "ui/view/steps_paper.h"
 
+#include "core/analysis/cutting.h"
 #include "core/base/tolerances.h"
-#include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
 #include "ui/view/heading_weight.h"
 #include "ui/view/steps_page_data.h"
@@ -98,15 +98,20 @@ QString StepsPaper::sizeText(const Vec2 &millimetres, LengthUnit unit)
                                          lengthText(millimetres.y(), unit, 0, 0, QLocale()));
 }
 
-QString StepsPaper::factsText(const AssemblySteps &steps)
+QString StepsPaper::factsText(const AssemblySteps &steps, const Options &options)
 {
     const Analysis &analysis = *steps.analysis;
     const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
-    const Layout layout = layOut(parts, analysis.model, LayoutOptions());
+    const std::shared_ptr<const Layout> layout =
+        options.layout ? options.layout : layoutFor(analysis, {});
+    if (!layout)
+        //: %1 is "38 parts", %2 "38 steps"
+        return StepsPaperTexts::tr("%1, in %2.")
+            .arg(partsText(static_cast<int>(parts.size())), stepsText(steps.playback.stepCount()));
     //: %1 is "38 parts", %2 "2 sheets", %3 "38 steps"
     return StepsPaperTexts::tr("%1, from %2, in %3.")
         .arg(partsText(static_cast<int>(parts.size())),
-             sheetsText(static_cast<int>(layout.sheets.size())),
+             sheetsText(static_cast<int>(layout->sheets.size())),
              stepsText(steps.playback.stepCount()));
 }
 
@@ -196,7 +201,8 @@ bool StepsPaper::titlePage()
     y += height + 6.0;
 
     const Model &model = m_steps.analysis->model;
-    y += text(QRectF(0.0, y, width, 20.0), factsText(m_steps), font(12.0, headingWeight()), kText) +
+    y += text(QRectF(0.0, y, width, 20.0), factsText(m_steps, m_options),
+              font(12.0, headingWeight()), kText) +
          2.0;
     std::set<StockId> stocks;
     for (const Part &part : m_parts) {

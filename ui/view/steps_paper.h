@@ -3,6 +3,7 @@
 // them on the table.
 #pragma once
 
+#include "core/fabrication/layout.h"
 #include "core/fabrication/part.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/step_pictures.h"
@@ -29,13 +30,15 @@ public:
         LengthUnit unit = LengthUnit::Millimetre;
         /// What a stock is called for whoever reads it; none: as in the file.
         std::function<QString(const Stock &)> stockName;
+        /// How parts lie on their sheets; none: as in a cutting file of which nothing was asked.
+        std::shared_ptr<const Layout> layout;
     };
     /// "Birch plywood, 3.00 mm"
     static QString stockText(const Stock &stock, const Options &options);
     /// Of a part, width and height: "84 × 120 mm".
     static QString sizeText(const Vec2 &millimetres, LengthUnit unit);
     /// "38 parts, from 2 sheets, in 38 steps."
-    static QString factsText(const AssemblySteps &steps);
+    static QString factsText(const AssemblySteps &steps, const Options &options);
 
     /// The pictures outlive it. To be used on their thread.
     StepsPaper(StepPictures &pictures, const Options &options);

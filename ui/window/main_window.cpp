@@ -3,6 +3,7 @@
 #include "core/interaction/tool.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
+#include "core/session/sheet_nesting.h"
 #include "ui/actions/action_set.h"
 #include "ui/base/icon.h"
 #include "ui/base/message_bar.h"
@@ -13,6 +14,7 @@
 #include "ui/bench/status_line.h"
 #include "ui/bench/viewport.h"
 #include "ui/bench/workbench.h"
+#include "ui/dialogs/export_choices.h"
 #include "ui/dialogs/stock_editor.h"
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/history_dock.h"
@@ -95,9 +97,11 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     m_stepsExport = new StepsExport(*m_messages, *m_status, *this);
     connect(m_steps, &StepsView::exportWanted, this, [this] {
         const QString suggestion = m_files->suggestion();
-        m_stepsExport->ask(
-            {m_steps->steps(), m_bench->interaction().camera(), QFileInfo(suggestion).fileName()},
-            suggestion);
+        CuttingOptions cutting = rememberedChoices().cutting();
+        cutting.lying = m_bench->nesting().layoutOf(m_steps->steps()->analysis, *cutting.nesting);
+        m_stepsExport->ask({m_steps->steps(), m_bench->interaction().camera(),
+                            QFileInfo(suggestion).fileName(), std::move(cutting)},
+                           suggestion);
     });
     new NumberNameSource(*m_bench, this);
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);

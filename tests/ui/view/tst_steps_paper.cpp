@@ -2,11 +2,17 @@
 #include <QGuiApplication>
 #include <QTest>
 
+#include "core/analysis/cutting.h"
+#include "core/model/edits.h"
 #include "core/model/stock.h"
+#include "core/operations/evaluate.h"
+#include "core/session/assembly_steps.h"
+#include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 #include "ui/view/steps_paper.h"
 
 using namespace fff;
+using namespace fff::test;
 using namespace fff::ui;
 
 class TestStepsPaper : public QObject
@@ -19,6 +25,7 @@ private Q_SLOTS:
     void lengthsAreInTheUnit_data();
     void lengthsAreInTheUnit();
     void stocksAreNamedAsTheReaderKnowsThem();
+    void sheetsAreThoseThatAreCut();
 };
 
 void TestStepsPaper::lengthsAreInTheUnit_data()
@@ -45,6 +52,28 @@ void TestStepsPaper::lengthsAreInTheUnit()
     options.unit = unit;
     QTEST(StepsPaper::stockText(stock, options), "stock");
     QTEST(StepsPaper::sizeText({83.6, 127.0}, unit), "size");
+}
+
+// Wrong: the paper says one sheet, and the cutting files that lie beside it are of two.
+void TestStepsPaper::sheetsAreThoseThatAreCut()
+{
+    Document document = combModel(8);
+    Stock stock = *document.find(document.currentStock);
+    stock.spares = {*rectangularSheet({150.0, 100.0})};
+    document = *setStock(std::move(document), stock);
+    AnalysisCaches caches;
+    const AnalysisPointer analysis = analyseNext(evaluate(std::move(document)), caches);
+    const AssemblyStepsPointer steps = assemblySteps(analysis, planOf(*analysis, {}));
+    QVERIFY(steps);
+    const std::shared_ptr<const Layout> layout = layoutFor(*analysis, {});
+    QVERIFY(layout);
+    QCOMPARE(layout->sheets.size(), std::size_t(2)); // the offcut, and a whole one
+    QVERIFY(StepsPaper::factsText(*steps, {}).contains(QStringLiteral("from 2 sheet")));
+    StepsPaper::Options options;
+    Layout one = *layout;
+    one.sheets.resize(1);
+    options.layout = std::make_shared<const Layout>(std::move(one));
+    QVERIFY(StepsPaper::factsText(*steps, options).contains(QStringLiteral("from 1 sheet")));
 }
 
 void TestStepsPaper::stocksAreNamedAsTheReaderKnowsThem()
