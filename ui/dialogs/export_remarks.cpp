@@ -94,19 +94,29 @@ void addOfDrawing(const CuttingWork &work, std::vector<ExportRemark> &remarks)
                            sectionsCalled(work.made()->analysis->model, remark.section)});
 }
 
+/// The verdict of a subject that nothing is said against; notes are not. Null: there is none.
+const Finding *goodOf(const CheckList &checks, Subject subject)
+{
+    const Finding *good = nullptr;
+    for (const Finding &finding : checks.all()) {
+        if (finding.subject() != subject || finding.severity == Severity::Note)
+            continue;
+        if (finding.severity != Severity::Good)
+            return nullptr;
+        good = good ? good : &finding;
+    }
+    return good;
+}
+
 /// Nothing where none is known to be.
 void addGood(const CheckList &checks, const CuttingWork &work, std::vector<ExportRemark> &remarks)
 {
     QStringList verdicts;
     for (const Subject subject : kSaidGood) {
-        if (worst(checks.all(), subject) != Severity::Good)
-            continue;
         if (subject == Subject::Size && work.cutting() && !work.cutting()->oversized.empty())
             continue;
-        const auto found =
-            std::find_if(checks.all().begin(), checks.all().end(),
-                         [&](const Finding &finding) { return finding.subject() == subject; });
-        verdicts += verdictText(*found);
+        if (const Finding *good = goodOf(checks, subject))
+            verdicts += verdictText(*good);
     }
     if (!verdicts.isEmpty())
         remarks.push_back({Severity::Good, {}, verdicts.join(QStringLiteral(" \u00B7 ")), {}, {}});

@@ -2,6 +2,9 @@
 // writes.
 #include <QTest>
 
+#include "core/assembly/joint_editing.h"
+#include "core/model/edits.h"
+#include "core/operations/evaluate.h"
 #include "core/session/check_list.h"
 #include "core/session/sheet_nesting.h"
 #include "tests/core/assembly/plates.h"
@@ -62,6 +65,7 @@ private Q_SLOTS:
     void allPartsAreListed();
     void solidsHaveNoSheets();
     void problemsAreShownAndForbidNothing();
+    void notesTakeNoTickAway();
     void whatCannotBeCutIsSaid();
     void exportAgainAsksNothing();
     void exportAgainNeedsAnExport();
@@ -528,6 +532,42 @@ void TestExportDialog::problemsAreShownAndForbidNothing()
     QVERIFY(!m_window->bench().interaction().selection().empty());
     QCOMPARE(stock().kerf, 0.25); // who looks at a problem goes on from there
     QCOMPARE(session().history()->index(), steps + 1);
+}
+
+// Wrong: Checks says that it is strong enough, and notes what hangs by friction; Export says
+// nothing of strength.
+void TestExportDialog::notesTakeNoTickAway()
+{
+    const ShapePointer leg = test::plateOf(-30, 0, 30, 50);
+    Document document =
+        test::withSection(newDocument(), test::plateOf(-60, 35, 60, 75), test::front());
+    for (const double x : {-40.0, 40.0})
+        document = test::withSection(std::move(document), leg, test::side(x));
+    Stock changed = *document.stocks.front();
+    changed.clearance = 0.0;
+    document = *setStock(std::move(document), changed);
+    const Model model = evaluate(document);
+    const auto flipped = [&] {
+        Document next = document;
+        for (const std::size_t guest : {1, 2})
+            next = flipSlits(evaluate(next), JointRef(model.ref(0), model.ref(guest)))->document;
+        return next;
+    };
+    auto *checks = m_window->findChild<CheckList *>();
+    int noted = 0;
+    for (const Document &way : {document, flipped()}) {
+        draw(way);
+        checks->finish();
+        QTRY_COMPARE(checks->age(), CheckList::Age::Current);
+        const bool isStrong = worst(checks->all(), Subject::Strength) <= Severity::Note;
+        QVERIFY(isStrong);
+        noted += worst(checks->all(), Subject::Strength) == Severity::Note ? 1 : 0;
+        inExportPanel(*m_window, [&](QDialog *dialog) {
+            QTRY_VERIFY2(remarks(dialog).join(u'\n').contains(QStringLiteral("Strong enough")),
+                         qPrintable(remarks(dialog).join(u'\n')));
+        });
+    }
+    QCOMPARE(noted, 1);
 }
 
 // Wrong: a button that writes nothing and does not say why.
