@@ -24,6 +24,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/doubted_verdicts.cpp
     analysis/findings/drawn_source.cpp
     analysis/findings/ending_before.cpp
+    analysis/findings/few_sheets.cpp
     analysis/findings/in_each_other.cpp
     analysis/findings/joining.cpp
     analysis/findings/loose_joints.cpp

@@ -1,8 +1,10 @@
 #include "ui/dialogs/export_remarks.h"
 
+#include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
+#include "core/session/message_text.h"
 #include "ui/base/lengths.h"
 #include "ui/bench/check_words.h"
 #include "ui/bench/cutting_words.h"
@@ -26,10 +28,11 @@ struct ExportRemarksTexts
 constexpr Subject kSaidGood[] = {Subject::Stability, Subject::Connection, Subject::Assembly,
                                  Subject::Strength, Subject::Size};
 
-/// Whether all parts fit is the drawing's to say: with the margin that is chosen here.
+/// Whether all parts fit, and how many sheets that takes, is the drawing's to say: with the margin
+/// that is chosen here, and as close together as parts lie.
 bool isOfSheets(const Finding &finding)
 {
-    return finding.is(kTooLarge) || finding.is(kFitsSheet);
+    return finding.is(kTooLarge) || finding.is(kFitsSheet) || finding.is(kFewSheets);
 }
 
 ExportRemark remarkOf(const FindingRow &row, const Model &model)
@@ -113,8 +116,11 @@ void addGood(const CheckList &checks, const CuttingWork &work, std::vector<Expor
 {
     QStringList verdicts;
     for (const Subject subject : kSaidGood) {
-        if (subject == Subject::Size && work.cutting() && !work.cutting()->oversized.empty())
+        if (const Cutting *cutting = work.cutting(); cutting && subject == Subject::Size) {
+            if (cutting->oversized.empty() && cutting->missing.empty())
+                verdicts += messageText(kFitsSheet.title);
             continue;
+        }
         if (const Finding *good = goodOf(checks, subject))
             verdicts += verdictText(*good);
     }

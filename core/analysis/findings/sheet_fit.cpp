@@ -1,5 +1,6 @@
 #include "core/analysis/findings/sheet_fit.h"
 
+#include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/nested.h"
 #include "core/fabrication/summary.h"
 
@@ -124,7 +125,10 @@ void findSheetFit(const Looked &at, std::vector<Finding> &found)
         finding.at = body.frame().toWorld(box.center());
         found.push_back(std::move(finding));
     }
-    if (!oversized.empty())
+    const auto before = found.size();
+    if (!options.sheet)
+        findFewSheets(model, layout, found);
+    if (!oversized.empty() || found.size() > before)
         return;
     if (hasSpares(model.document)) {
         found.push_back(makeFinding(kFitsSheet, Severity::Good, SheetUse()));

@@ -2,7 +2,10 @@
 // this fails, somebody who has an offcut buys a new sheet.
 #include <QTest>
 
+#include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/nested.h"
+#include "core/session/check_list.h"
+#include "core/session/message_text.h"
 #include "core/session/scheduler.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
@@ -150,9 +153,24 @@ void TestStockSheets::moreSheetsThanThereAre()
             said += label->text();
         QVERIFY2(said.join(u' ').contains(QStringLiteral("1 more sheet")),
                  qPrintable(said.join(u'\n')));
+        QVERIFY2(!said.join(u' ').contains(QStringLiteral("Fits the sheet")), // nor beside it
+                 qPrintable(said.join(u'\n')));
     });
+    auto *checks = m_window->findChild<CheckList *>();
+    const auto sizeIs = [checks](Severity severity) {
+        return checks->age() == CheckList::Age::Current &&
+               worst(checks->all(), Subject::Size) == severity;
+    };
+    QTRY_VERIFY(sizeIs(Severity::Warning));
+    const auto few = std::find_if(checks->all().begin(), checks->all().end(),
+                                  [](const Finding &finding) { return finding.is(kFewSheets); });
+    QVERIFY(few != checks->all().end());
+    QCOMPARE(messageText(few->kind->sentence(*few, checks->model())),
+             QStringLiteral("May run out of sheets. It takes up to 2 sheets of %1, and you have 1.")
+                 .arg(QString::fromStdString(stock().name)));
     typeInto(editor(), "stockSheetCount", QStringLiteral("0"));
     QVERIFY(!stock().sheetCount);
+    QTRY_VERIFY(sizeIs(Severity::Good));
 }
 
 void TestStockSheets::soldAsAndMeasured()
