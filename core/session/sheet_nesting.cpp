@@ -94,6 +94,7 @@ void SheetNesting::nest(NestLevel level)
     m_level = level;
     m_round = 0;
     m_isSearching = level != NestLevel::Quick;
+    m_since.start();
     if (level == NestLevel::Quick)
         ++m_times;
     ask(isCurrent() ? level : NestLevel::Quick);
@@ -112,6 +113,12 @@ void SheetNesting::stop()
 double SheetNesting::progress() const
 {
     return m_running == NestLevel::Good ? m_session.scheduler().progress(kNested.name) : -1.0;
+}
+
+double SheetNesting::searchedFor() const
+{
+    constexpr double kSecond = 1000.0; // ms
+    return m_since.isValid() ? static_cast<double>(m_since.elapsed()) / kSecond : 0.0;
 }
 
 /// The model is another one.

@@ -4,6 +4,7 @@
 
 #include "core/analysis/nested.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 
 #include <cstdint>
@@ -42,6 +43,8 @@ public:
     bool isSearching() const { return m_isSearching; }
     /// 0 … 1 of Good; below 0 where nothing is known.
     double progress() const;
+    /// Since when a search goes on, seconds.
+    double searchedFor() const;
 
     /// The newest that somebody asked for; null until there is one. Stays while something newer is
     /// worked out, and when nobody wants it any more.
@@ -69,6 +72,7 @@ private:
     NestLevel m_level = NestLevel::Quick;   // that a person has asked for
     NestLevel m_running = NestLevel::Quick; // that the stage is asked for
     bool m_isSearching = false;
+    QElapsedTimer m_since; // that somebody asked for it
     int m_round = 0, m_times = 0;
     std::shared_ptr<const SheetsQuestion> m_asked;
     std::shared_ptr<const Nested> m_result;

@@ -224,10 +224,16 @@ void SheetsDock::refreshHead()
     const double filled = m_work->made() ? m_work->made()->nested->filled : 0.0;
     m_bar->setVisible(isSearching);
     m_stop->setVisible(isSearching);
-    m_bar->setValue(static_cast<int>(std::lround(kThousand * filled)));
+    // How far Best comes nobody knows: it goes on until it is stopped.
+    const double done = nesting.progress();
+    m_bar->setRange(0, done < 0.0 ? 0 : kThousand);
+    m_bar->setValue(static_cast<int>(std::lround(kThousand * std::max(done, 0.0))));
     m_bar->setFormat(tr("Nesting…"));
     if (isSearching)
-        m_state->setText(tr("keeps the best so far"));
+        //: %1 is how much of the sheets is filled, %2 are seconds
+        m_state->setText(tr("Best so far %1 %, %2 s")
+                             .arg(locale().toString(100.0 * filled, 'f', 1))
+                             .arg(std::floor(nesting.searchedFor())));
     else if (m_wasOlder && m_view->content().note.isEmpty() && !m_view->hand())
         m_state->setText(tr("Nesting again…"));
     else

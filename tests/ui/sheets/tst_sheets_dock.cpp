@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMouseEvent>
+#include <QProgressBar>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -495,6 +496,14 @@ void TestSheetsDock::aSearchIsStopped()
     QVERIFY(!stop->isVisible());
     bench().nesting().nest(NestLevel::Best);
     QVERIFY(stop->isVisible());
+    // Wrong: a bar that stands where it is for as long as one looks.
+    auto *bar = m_window->findChild<QProgressBar *>(QStringLiteral("sheetsBar"));
+    QVERIFY(bar->isVisible() && bar->maximum() == bar->minimum());
+    const QString state = text("sheetsState");
+    QVERIFY2(QRegularExpression(QStringLiteral("^Best so far \\d+\\.\\d %, \\d+ s$"))
+                 .match(state)
+                 .hasMatch(),
+             qPrintable(state));
     QTest::mouseClick(stop, Qt::LeftButton);
     QVERIFY(!stop->isVisible());
     settle();
