@@ -14807,6 +14807,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Offcut, sheet %1 of %2</source>
         <translation>Reststück, Platte %1 von %2</translation>
     </message>
+    <message>
+        <source>Pinned: stays where it lies. Click to unpin it.</source>
+        <translation>Angeheftet: bleibt, wo es liegt. Klicken löst es.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ShortcutEditor</name>

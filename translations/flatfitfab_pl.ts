@@ -14929,6 +14929,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Offcut, sheet %1 of %2</source>
         <translation>Resztka, arkusz %1 z %2</translation>
     </message>
+    <message>
+        <source>Pinned: stays where it lies. Click to unpin it.</source>
+        <translation>Przypięta: zostaje tam, gdzie leży. Kliknij, aby ją odpiąć.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ShortcutEditor</name>

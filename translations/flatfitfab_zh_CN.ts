@@ -14685,6 +14685,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Offcut, sheet %1 of %2</source>
         <translation>余料，板材 %1 / %2</translation>
     </message>
+    <message>
+        <source>Pinned: stays where it lies. Click to unpin it.</source>
+        <translation>已固定：留在原处。点击取消固定。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ShortcutEditor</name>

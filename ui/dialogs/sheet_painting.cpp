@@ -92,34 +92,21 @@ void paintLabel(const PartPaths &part, const QTransform &transform, QPainter &pa
     }
 }
 
-constexpr double kBeside = 22.0, kLookRadius = 8.0; // px, of what stands beside a number
+constexpr double kBeside = 22.0; // px, of what stands beside a number
 
 bool hasRoomFor(const PartPaths &part, const SheetPainting &how, const QPointF &at)
 {
-    const QRectF box(at - QPointF(kLookRadius, kLookRadius),
-                     QSizeF(2.0 * kLookRadius, 2.0 * kLookRadius));
+    const QRectF box(at - QPointF(kPinRadius, kPinRadius),
+                     QSizeF(2.0 * kPinRadius, 2.0 * kPinRadius));
     return part.cuts.contains(how.transform.inverted().mapRect(box));
-}
-
-/// Beside or below the number where there is room; else over a corner of the part's box, so that
-/// each pinned part has its pin, however slim it is.
-QPointF pinPlace(const PartPaths &part, const SheetPainting &how)
-{
-    const QPointF middle = how.transform.map(part.roomiest);
-    if (part.hasNumber)
-        for (const QPointF &off : {QPointF(kBeside, 0.0), QPointF(0.0, kBeside),
-                                   QPointF(0.0, -kBeside), QPointF(-kBeside, 0.0)})
-            if (hasRoomFor(part, how, middle + off))
-                return middle + off;
-    return how.transform.map(part.cuts).boundingRect().topRight();
 }
 
 void paintPin(const QPointF &at, QPainter &painter)
 {
-    const int side = static_cast<int>(1.5 * kLookRadius);
+    const int side = static_cast<int>(1.5 * kPinRadius);
     painter.setPen(hairline(theme().border, 1.0));
     painter.setBrush(theme().panel);
-    painter.drawEllipse(at, kLookRadius, kLookRadius);
+    painter.drawEllipse(at, kPinRadius, kPinRadius);
     painter.drawPixmap(at - 0.5 * QPointF(side, side),
                        tintedPixmap(QStringLiteral("pin"), side, theme().text,
                                     painter.device()->devicePixelRatioF()));
@@ -136,7 +123,7 @@ void paintLook(const PartPaths &part, const PartLook &look, const SheetPainting 
     if (!look.keepsToGrain || !hasRoomFor(part, how, at))
         return;
     painter.setPen(hairline(sheetColours().edge, 1.5));
-    const QPointF end(kLookRadius, 0.0);
+    const QPointF end(kPinRadius, 0.0);
     painter.drawLine(at - end, at + end);
     for (const double way : {-1.0, 1.0})
         for (const double up : {-kHead, kHead})
@@ -198,6 +185,19 @@ void paintReference(const SheetPainting &how, QPainter &painter)
 QRectF referenceBar()
 {
     return {QPointF(0.0, -kGapToBar - kBar.height()), kBar};
+}
+
+/// Beside or below the number where there is room; else over a corner of the part's box, so that
+/// each pinned part has its pin, however slim it is.
+QPointF pinPlace(const PartPaths &part, const SheetPainting &how)
+{
+    const QPointF middle = how.transform.map(part.roomiest);
+    if (part.hasNumber)
+        for (const QPointF &off : {QPointF(kBeside, 0.0), QPointF(0.0, kBeside),
+                                   QPointF(0.0, -kBeside), QPointF(-kBeside, 0.0)})
+            if (hasRoomFor(part, how, middle + off))
+                return middle + off;
+    return how.transform.map(part.cuts).boundingRect().topRight();
 }
 
 int digitsThatFit(const PartPaths &part, const QTransform &transform, const QFont &font)

@@ -40,6 +40,10 @@ void paintHeld(const PartPaths &part, const SheetPainting &how, bool isSound, QP
 /// One that is selected: its outline, and a dashed box round it.
 void paintChosen(const PartPaths &part, const SheetPainting &how, QPainter &painter);
 
+/// Where the pin of a pinned part is, px; its radius.
+QPointF pinPlace(const PartPaths &part, const SheetPainting &how);
+inline constexpr double kPinRadius = 8.0;
+
 /// The largest font that a number is read in without leaving the part; 0: none. Pixels of a font
 /// are between kLeastDigits and kMostDigits.
 int digitsThatFit(const PartPaths &part, const QTransform &transform, const QFont &font);

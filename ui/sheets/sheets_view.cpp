@@ -1,6 +1,7 @@
 #include "ui/sheets/sheets_view.h"
 
 #include "ui/bench/measures.h"
+#include "ui/dialogs/sheet_painting.h"
 
 #include <QApplication>
 #include <QHelpEvent>
@@ -134,6 +135,24 @@ std::optional<SheetsView::Spot> SheetsView::partAt(const QPointF &place) const
     return std::nullopt;
 }
 
+/// Of several on each other that which was painted last.
+std::optional<SheetsView::Spot> SheetsView::pinAt(const QPointF &place) const
+{
+    if (m_content.isOlder || m_hand)
+        return std::nullopt;
+    std::optional<Spot> found;
+    for (const PlacedSheet &placed : m_placed.all) {
+        const SheetPainting how{transform(placed.sheet), m_content.margin};
+        for (std::size_t i = 0; i < m_content.facts[placed.sheet].parts.size(); ++i) {
+            const Spot spot{placed.sheet, i};
+            if (factsOf(spot).isPinned &&
+                QLineF(pinPlace(pathsOf(spot), how), place).length() <= kPinRadius)
+                found = spot;
+        }
+    }
+    return found;
+}
+
 const PartOnSheet &SheetsView::factsOf(const Spot &spot) const
 {
     return m_content.facts[spot.sheet].parts[spot.part];
@@ -250,7 +269,9 @@ void SheetsView::mousePressEvent(QMouseEvent *event)
     m_button = event->button();
     m_isMoved = false;
     m_pressed = m_last = event->position();
-    m_pressedAt = partAt(m_pressed);
+    const std::optional<Spot> pin = pinAt(m_pressed);
+    m_pressedPin = pin ? std::optional(factsOf(*pin).section) : std::nullopt;
+    m_pressedAt = pin ? pin : partAt(m_pressed); // dragged by its pin it goes along
     const std::optional<QPointF> handle = this->handle();
     const bool isOnHandle = handle && QLineF(*handle, m_pressed).length() <= kHandleReach;
     if (event->button() == Qt::LeftButton && isOnHandle) {
@@ -263,7 +284,7 @@ void SheetsView::mousePressEvent(QMouseEvent *event)
 void SheetsView::mouseMoveEvent(QMouseEvent *event)
 {
     if (m_button == Qt::NoButton) {
-        setHovered(partAt(event->position()));
+        hover(event->position());
         return;
     }
     const QPointF way = event->position() - m_pressed;
@@ -290,8 +311,20 @@ void SheetsView::mouseReleaseEvent(QMouseEvent *event)
     m_button = Qt::NoButton;
     if (m_doing != Hand::None)
         endHand(true);
+    else if (event->button() == Qt::LeftButton && !m_isMoved && m_pressedPin)
+        Q_EMIT letGo({*m_pressedPin});
     else if (event->button() == Qt::LeftButton && !m_isMoved)
         choose(m_pressedAt, event->modifiers());
+}
+
+void SheetsView::hover(const QPointF &place)
+{
+    const std::optional<Spot> pin = pinAt(place);
+    setHovered(pin ? pin : partAt(place));
+    if (pin)
+        setCursor(Qt::PointingHandCursor);
+    else
+        unsetCursor();
 }
 
 void SheetsView::leaveEvent(QEvent *)
@@ -354,8 +387,10 @@ bool SheetsView::event(QEvent *event)
     if (event->type() == QEvent::ToolTip) {
         const auto *help = static_cast<QHelpEvent *>(event);
         const auto spot = partAt(help->pos());
-        QToolTip::showText(help->globalPos(), spot ? tipOf(*spot).toHtmlEscaped() : QString(),
-                           this);
+        QString tip = spot ? tipOf(*spot).toHtmlEscaped() : QString();
+        if (pinAt(help->pos()))
+            tip = tr("Pinned: stays where it lies. Click to unpin it.");
+        QToolTip::showText(help->globalPos(), tip, this);
         return true;
     }
     return QWidget::event(event);

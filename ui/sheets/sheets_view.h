@@ -10,6 +10,7 @@
 //   R, Shift+R     the same by 90° and 15°, as far as it may be turned
 //   arrow keys     move the selected part by 1 mm; the sheets where none is selected
 //   P              pins the selected parts, or lets them go
+//   click on a pin lets its part go
 #pragma once
 
 #include <QWidget> // first: moc stumbles over some standard headers
@@ -49,6 +50,8 @@ public:
     /// The part there, px.
     std::optional<Spot> partAt(const QPointF &place) const;
     std::optional<Spot> hovered() const { return m_hovered; }
+    /// That whose pin is there, px.
+    std::optional<Spot> pinAt(const QPointF &place) const;
     /// From the sheet's coordinates to the widget's, px.
     QTransform transform(std::size_t sheet) const;
     /// "26 Front arch · 487 × 184 mm · turned 0°"
@@ -91,6 +94,7 @@ private:
     void zoomAt(const QPointF &place, double factor);
     void moveBy(const QPointF &way);
     void setHovered(std::optional<Spot> spot);
+    void hover(const QPointF &place);
     void choose(std::optional<Spot> spot, Qt::KeyboardModifiers keys);
     void chooseNext(int by);
     void setContentNow(SheetsContent content);
@@ -125,6 +129,7 @@ private:
     QPointF m_shift;     // px
     QPointF m_pressed, m_last;
     std::optional<Spot> m_pressedAt;
+    std::optional<SectionRef> m_pressedPin;  // whose
     Qt::MouseButton m_button = Qt::NoButton; // that is held
     bool m_isMoved = false;                  // by the button that is held
     enum class Hand { None, Drags, Turns };

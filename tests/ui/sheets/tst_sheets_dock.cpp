@@ -8,6 +8,7 @@
 #include "tests/test_program.h"
 #include "tests/ui/dialogs/export_hand.h"
 #include "ui/base/translations.h"
+#include "ui/dialogs/sheet_painting.h"
 #include "ui/dialogs/sheet_view.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/link_row.h"
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void escapePutsItBack();
     void theHandleTurnsIt();
     void keysMoveTurnAndPin();
+    void aClickOnThePinUnpins();
     void whatKeepsToTheGrainIsNotTurned();
     void whatIsPutThereIsExported();
     void aSearchIsStopped();
@@ -455,6 +457,26 @@ void TestSheetsDock::keysMoveTurnAndPin()
     QTest::keyClick(&view(), Qt::Key_R);
     QVERIFY((document().pins[0].turn - Vec2(-put.turn.y(), put.turn.x())).norm() < 1e-9);
     settle();
+}
+
+void TestSheetsDock::aClickOnThePinUnpins()
+{
+    open(combModel(6));
+    const SectionRef section = sectionAt(0, 2);
+    drag(placeOf(0, 2), emptyCorner(view()));
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, emptyCorner(view()));
+    settle();
+    QCOMPARE(document().pins.size(), std::size_t(1));
+    const std::size_t part = partOf(section);
+    const QPointF pin = pinPlace(view().content().sheets()[0].parts[part], {view().transform(0)});
+    QVERIFY(view().pinAt(pin) == SheetSpot({0, part}));
+    QVERIFY(!view().pinAt(placeOf(0, part)));
+    QTest::mouseMove(&view(), pin.toPoint());
+    QTRY_COMPARE(view().cursor().shape(), Qt::PointingHandCursor);
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, pin.toPoint());
+    QVERIFY(document().pins.empty());
+    settle();
+    QVERIFY(!view().pinAt(pin));
 }
 
 void TestSheetsDock::whatKeepsToTheGrainIsNotTurned()
