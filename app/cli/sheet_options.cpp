@@ -30,6 +30,16 @@ std::pair<QString, std::optional<int>> counted(const QString &text)
                     : std::pair(text, std::optional<int>());
 }
 
+/// What a person may not expect of it is printed.
+Result<SpareSheet> offcutDrawn(const QString &path, int count)
+{
+    QStringList remarks;
+    Result<SpareSheet> spare = io::readOffcut(path, count, &remarks);
+    for (const QString &sentence : std::as_const(remarks))
+        printError(sentence);
+    return spare;
+}
+
 /// Whether it is one, so that no = in it is behind a name.
 bool isSheet(const QString &text)
 {
@@ -66,7 +76,7 @@ std::optional<AskedOffcut> offcutOf(const QString &text, const Verb &verb,
         return std::nullopt;
     }
     const Result<SpareSheet> spare =
-        size ? rectangularSheet(*size, count) : io::readOffcut(what, count);
+        size ? rectangularSheet(*size, count) : offcutDrawn(what, count);
     if (!spare)
         status = report(spare.error());
     return spare ? std::optional(AskedOffcut{text, stock, *spare}) : std::nullopt;

@@ -156,7 +156,9 @@ QString errorSentence(const Error &error)
         return ErrorTexts::tr(
             "these axes do not form a frame, expected two of length 1 at a right angle");
     case ErrorCode::EmptyContour:
-        return ErrorTexts::tr("this contour encloses no area");
+        return hasArg ? ErrorTexts::tr("the outline is open: its ends are %1 mm apart")
+                            .arg(millimetres(args, 0))
+                      : ErrorTexts::tr("this contour encloses no area");
     case ErrorCode::BadContour:
         return badContour(args);
     case ErrorCode::UnknownReference:

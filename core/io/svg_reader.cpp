@@ -415,6 +415,7 @@ Result<SvgDrawing> Reader::read()
     const bool isCut = svg.attribute("width") || svg.attribute("viewBox");
     state.transform = isCut ? rootTransform(svg, state) : SvgTransform::Identity();
     m_millimetres = millimetresPerPixel(svg, m_source.bytes());
+    m_drawing.isTrueSize = isTrueLength(svg.attribute("width").value());
     State inside = state;
     enter(svg, inside);
     if (!m_source.error())

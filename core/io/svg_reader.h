@@ -21,6 +21,7 @@ struct SvgDrawing
     std::vector<Line> lines;     // in the order of the file
     int texts = 0, pictures = 0; // that were passed over
     bool isCuttingFile = false;  // one of ours (core/io/svg_writer.h)
+    bool isTrueSize = true;      // it says how wide it is; else px are taken as said below
 };
 
 /// Reads paths (all commands), rectangles, circles, ellipses, lines, polylines and polygons, in

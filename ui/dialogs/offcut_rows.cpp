@@ -57,12 +57,20 @@ OffcutRows::OffcutRows(StockAccess stock, QWidget *parent)
     buttons->addWidget(drawing);
     buttons->addStretch(1);
     m_column->addLayout(buttons);
+    m_said = new QLabel(this);
+    m_said->setObjectName(QStringLiteral("offcutSaid"));
+    m_said->setTextFormat(Qt::PlainText); // names of files are in it
+    m_said->setWordWrap(true);
+    m_said->setMinimumWidth(1);
+    m_said->hide();
+    m_column->addWidget(m_said);
     connect(m_addSize, &QToolButton::clicked, this, [this] { add(rectangularSheet(kFirst)); });
     connect(drawing, &QToolButton::clicked, this, &OffcutRows::drawingWanted);
 }
 
 void OffcutRows::add(Result<SpareSheet> sheet)
 {
+    say({});
     if (sheet)
         m_stock.edit([&](Stock &stock) { stock.spares.push_back(*sheet); });
 }
@@ -70,6 +78,12 @@ void OffcutRows::add(Result<SpareSheet> sheet)
 void OffcutRows::focusAdd()
 {
     m_addSize->setFocus(Qt::OtherFocusReason);
+}
+
+void OffcutRows::say(const QStringList &sentences)
+{
+    m_said->setText(sentences.join(u'\n'));
+    m_said->setVisible(!sentences.isEmpty());
 }
 
 void OffcutRows::setSide(std::size_t index, int axis, double mm)
@@ -138,7 +152,7 @@ void OffcutRows::refresh()
     const std::vector<SpareSheet> &spares = m_stock.read()->spares;
     while (m_rows.size() < spares.size()) {
         m_rows.push_back(makeRow(m_rows.size()));
-        m_column->insertWidget(m_column->count() - 1, m_rows.back().widget);
+        m_column->insertWidget(m_column->count() - 2, m_rows.back().widget);
         m_rows.back().widget->show();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {

@@ -26,6 +26,8 @@ public:
     /// Reads the stock.
     void refresh();
     void focusAdd();
+    /// About the drawing that an offcut was read from, below all; nothing: what was said is over.
+    void say(const QStringList &sentences);
 
 Q_SIGNALS:
     /// A drawing is to be chosen.
@@ -47,6 +49,7 @@ private:
     QVBoxLayout *m_column = nullptr;
     std::vector<Row> m_rows;
     QToolButton *m_addSize = nullptr;
+    QLabel *m_said = nullptr;
 };
 
 } // namespace fff::ui

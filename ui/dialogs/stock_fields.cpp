@@ -174,6 +174,7 @@ void StockFields::makeSheets()
     connect(m_offcuts, &OffcutRows::drawingWanted, this, &StockFields::addOffcutDrawing);
 }
 
+/// What is to be said of the drawing stands where the offcut is listed.
 void StockFields::addOffcutDrawing()
 {
     FileDialog dialog(window(), tr("An offcut from a drawing"), documentsFolder(),
@@ -182,7 +183,10 @@ void StockFields::addOffcutDrawing()
     dialog.setFileMode(QFileDialog::ExistingFile);
     if (dialog.exec() != QDialog::Accepted)
         return;
-    const Result<SpareSheet> spare = io::readOffcut(dialog.selectedFiles().constFirst());
+    QStringList remarks;
+    const Result<SpareSheet> spare =
+        io::readOffcut(dialog.selectedFiles().constFirst(), 1, &remarks);
+    m_offcuts->say(remarks);
     if (spare)
         edit([&](Stock &s) { s.spares.push_back(*spare); });
     else
