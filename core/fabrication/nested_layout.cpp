@@ -1,6 +1,7 @@
 #include "core/fabrication/nested_layout.h"
 
 #include "core/base/tolerances.h"
+#include "core/fabrication/outer_chords.h"
 #include "core/fabrication/pins.h"
 #include "core/fabrication/sheet_supply.h"
 #include "core/geometry/turning.h"
@@ -68,7 +69,7 @@ nest::Turning turningOf(const NestOptions &options, int part)
 nest::Piece pieceOf(const Part &part, nest::Turning turning, bool hasHoles, const Vec2 &room)
 {
     nest::Piece piece;
-    piece.outline = part.outline.region;
+    piece.outline = outerChords(part.outline);
     if (!hasHoles)
         piece.outline.holes.clear();
     piece.turns = nest::turnsOf(turning);
@@ -84,7 +85,7 @@ nest::Problem problemOf(const std::vector<Part> &parts, const StockParts &stock,
                         const NestOptions &options)
 {
     nest::Problem problem = sheetsAround(parts, stock.supply, options.layout, stock.pinned);
-    // Chords of an outline may be within it by that much, and so do its pieces have to be.
+    // What pieces have in place of curves may go beyond these by that much.
     const Vec2 room =
         roomOf(stock.supply.whole(), options.layout) - Vec2::Constant(2.0 * kCutChord);
     for (const int part : stock.parts)

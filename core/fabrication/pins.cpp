@@ -1,6 +1,7 @@
 #include "core/fabrication/pins.h"
 
 #include "core/base/tolerances.h"
+#include "core/fabrication/outer_chords.h"
 #include "core/geometry/turning.h"
 #include "core/nesting/proof.h"
 
@@ -19,7 +20,7 @@ constexpr double kTurnError = 1e-9;
 Polygon outlineOf(const Part &part, const PinnedPart &pinned)
 {
     Polygon outline;
-    for (const Vec2 &p : part.outline.region.outer)
+    for (const Vec2 &p : outerChords(part.outline).outer)
         outline.push_back(turned(p, pinned.turn) + pinned.offset);
     return outline;
 }
@@ -47,7 +48,6 @@ nest::Problem problemOn(const SheetSupply &supply, const LayoutOptions &options,
     nest::Problem problem;
     problem.margin = options.margin;
     problem.spacing = options.spacing;
-    problem.chord = kCutChord;
     problem.sheets = supply.kinds(wholes);
     return problem;
 }
@@ -59,7 +59,6 @@ std::pair<nest::Problem, nest::Solution> solvedBy(const std::vector<Part> &parts
                                                   const std::vector<PinnedPart> &pinned)
 {
     nest::Problem problem = problemOn(supply, options, wholeSheetsOf(pinned));
-    problem.chord = 0.0; // what lies by its box has the spacing and no more
     nest::Solution solution;
     for (std::size_t kind = 0; kind < problem.sheets.size(); ++kind)
         solution.sheets.push_back(static_cast<int>(kind));

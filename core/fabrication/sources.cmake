@@ -14,6 +14,7 @@ target_sources(fff_core PRIVATE
     fabrication/nested_layout.cpp
     fabrication/open_sheets.cpp
     fabrication/opened_cuts.cpp
+    fabrication/outer_chords.cpp
     fabrication/outline_size.cpp
     fabrication/part_list.cpp
     fabrication/pins.cpp

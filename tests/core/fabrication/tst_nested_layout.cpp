@@ -1,7 +1,10 @@
 // Parts on sheets by their true outlines.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/base/tolerances.h"
 #include "core/fabrication/nested_layout.h"
+#include "core/fabrication/shared_cuts.h"
+#include "core/geometry/turning.h"
 #include "core/nesting/problem.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
@@ -9,6 +12,8 @@
 #include "tests/core/nesting/nesting_problems.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
+
+#include <numbers>
 
 using namespace fff;
 using namespace fff::test;
@@ -31,6 +36,23 @@ std::vector<Part> triangles(int count, StockId stock)
     for (int i = 0; i < count; ++i)
         parts.push_back(partOf({{-70, 30}, {70, 30}, {-70, 130}}, stock, i + 1));
     return parts;
+}
+
+/// A rectangle with a round top: straight edges and a curve.
+Part archOf(double width, double height, StockId stock, int number)
+{
+    constexpr double kArc = 4.0 / 3.0 * (std::numbers::sqrt2 - 1.0);
+    const double r = 0.5 * width;
+    const Vec2 a(-r, 0), b(r, 0), c(r, height), top(0, height + r), d(-r, height);
+    Part part;
+    part.number = number;
+    part.stock = stock;
+    part.outline = regionOf(
+        *Contour::fromSegments({CubicBezier::line(a, b), CubicBezier::line(b, c),
+                                CubicBezier{c, c + Vec2(0, kArc * r), top + Vec2(kArc * r, 0), top},
+                                CubicBezier{top, top - Vec2(kArc * r, 0), d + Vec2(0, kArc * r), d},
+                                CubicBezier::line(d, a)}));
+    return part;
 }
 
 /// What is wrong with the layout, as the nester's oracle sees it; oversized parts are none of it.
@@ -70,6 +92,8 @@ private Q_SLOTS:
     void aPartThatFitsOnlyAtAnAngle();
     void neverMoreSheetsThanBoxes();
     void nothingGivesNoSheet();
+    void curvesStayOnTheSheet();
+    void straightEdgesLieOnEachOther();
 };
 
 // Wrong: half of the sheet would be waste.
@@ -182,6 +206,66 @@ void TestNestedLayout::nothingGivesNoSheet()
 {
     const Model model{newDocument(), {}};
     QVERIFY(nestOut({}, model, {}).layout.sheets.empty());
+}
+
+/// Their chords did, and the curves went beyond them, up to 0.0087 mm over the edge.
+void TestNestedLayout::curvesStayOnTheSheet()
+{
+    const Model model{newDocument(), {}};
+    std::vector<Part> parts;
+    for (int i = 0; i < 12; ++i)
+        parts.push_back(archOf(60.0 + i, 35.0 + 2.0 * i, model.document.currentStock, i + 1));
+    for (const double margin : {0.0, 5.0}) {
+        NestOptions options;
+        options.layout.margin = margin;
+        options.layout.spacing = 0.0;
+        options.work = nest::workOf(0.05);
+        const Layout layout = nestOut(parts, model, options).layout;
+        QVERIFY(layout.oversized.empty());
+        for (const Sheet &sheet : layout.sheets)
+            for (const Placement &placement : sheet.placements) {
+                Box2 box = turnedBounds(
+                    parts[static_cast<std::size_t>(placement.part)].outline.outer, placement.turn);
+                const Vec2 low = box.min + placement.offset,
+                           high = sheet.size - (box.max + placement.offset);
+                QVERIFY2(low.cwiseMin(high).minCoeff() >= margin - kClipSlack,
+                         qPrintable(QString::number(low.cwiseMin(high).minCoeff(), 'g', 9)));
+            }
+    }
+}
+
+/// They were kept apart as if they were curves, and cut twice: an arch has both.
+void TestNestedLayout::straightEdgesLieOnEachOther()
+{
+    const Model model{newDocument(), {}};
+    std::vector<Part> parts;
+    for (int i = 0; i < 8; ++i)
+        parts.push_back(archOf(80.0, 60.0, model.document.currentStock, i + 1));
+    NestOptions options;
+    options.layout.spacing = 0.0;
+    options.turning = Turning::Half;
+    const Layout layout = nestOut(parts, model, options).layout;
+    QCOMPARE(layout.sheets.size(), std::size_t(1));
+    std::vector<ToolLine> lines;
+    for (const Placement &placement : layout.sheets.front().placements) {
+        const Contour &outer = parts[static_cast<std::size_t>(placement.part)].outline.outer;
+        ToolLine line;
+        for (int k = 0; k < outer.segmentCount(); ++k) {
+            const CubicBezier c = outer.segment(k);
+            line.curves.push_back({placement.apply(c.p0), placement.apply(c.p1),
+                                   placement.apply(c.p2), placement.apply(c.p3)});
+        }
+        line.isClosed = true;
+        lines.push_back(std::move(line));
+    }
+    std::vector<const ToolLine *> pointers;
+    for (const ToolLine &line : lines)
+        pointers.push_back(&line);
+    double shared = 0.0;
+    for (const std::vector<LineSpan> &spans : sharedSpans(pointers))
+        for (const LineSpan &span : spans)
+            shared += span.to - span.from;
+    QVERIFY2(shared >= 3.0 * 60.0, qPrintable(QString::number(shared)));
 }
 
 FFF_TEST(TestNestedLayout)
