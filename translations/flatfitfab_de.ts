@@ -9361,6 +9361,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: Diese Art Datei kann sie nicht aufnehmen; erwartet wird %1.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Für zwei Teile einmal geschnitten: %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>Keine Kanten zweier Teile liegen aufeinander: Nichts wird nur einmal geschnitten. Mit --spacing 0 können es gerade Kanten.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9361,6 +9361,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: este tipo de archivo no los admite; se esperaba %1.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Cortado una sola vez para dos piezas: %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>No coincide ningún borde de dos piezas: nada se corta una sola vez. Con --spacing 0 los bordes rectos pueden coincidir.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9361,6 +9361,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours : ce type de fichier ne peut pas les contenir ; %1 attendu.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Découpé une seule fois pour deux pièces : %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>Aucun bord de deux pièces ne coïncide : rien n’est découpé une seule fois. Avec --spacing 0, les bords droits le peuvent.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9361,6 +9361,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: questo tipo di file non può contenerli; atteso %1.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Tagliato una volta sola per due pezzi: %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>Nessun bordo di due pezzi coincide: niente è tagliato una volta sola. Con --spacing 0 i bordi dritti possono coincidere.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

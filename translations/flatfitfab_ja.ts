@@ -9264,6 +9264,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: この種類のファイルには入れられません。%1 が必要です。</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>2 つの部品で共有して一度だけカット: %1 mm。</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>2 つの部品で重なる辺がないため、一度だけカットするところはありません。--spacing 0 なら直線の辺を重ねられます。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9361,6 +9361,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: dit soort bestand kan ze niet bevatten; verwacht %1.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Eén keer gesneden voor twee onderdelen: %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>Er liggen geen randen van twee onderdelen op elkaar: niets wordt maar één keer gesneden. Met --spacing 0 kunnen rechte randen dat.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9458,6 +9458,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: ten rodzaj pliku nie może ich zawierać; oczekiwano %1.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Cięte raz dla dwóch części: %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>Żadne krawędzie dwóch części się nie stykają: nic nie jest cięte tylko raz. Z --spacing 0 mogą się stykać krawędzie proste.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9361,6 +9361,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours: este tipo de arquivo não pode contê-las; esperado %1.</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Cortado uma só vez para duas peças: %1 mm.</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>Nenhuma borda de duas peças se encosta: nada é cortado uma só vez. Com --spacing 0, bordas retas podem se encostar.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

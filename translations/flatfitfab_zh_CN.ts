@@ -9264,6 +9264,15 @@
         <source>--joint-colours: this kind of file cannot hold them; expected %1.</source>
         <translation>--joint-colours：这种文件不支持，应为 %1。</translation>
     </message>
+    <message>
+        <source>Cut once for two parts: %1 mm.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>两个零件只切一次的边：%1 mm。</translation>
+    </message>
+    <message>
+        <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
+        <translation>没有两个零件的边贴在一起：没有只切一次的边。使用 --spacing 0 时直边可以贴合。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

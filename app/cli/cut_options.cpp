@@ -1,5 +1,6 @@
 #include "app/cli/cut_options.h"
 
+#include "core/fabrication/cutting_order.h"
 #include "core/fabrication/fit_coupon.h"
 #include "core/fabrication/machine.h"
 #include "core/io/coupon_words.h"
@@ -9,6 +10,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace fff::cli {
@@ -104,6 +106,33 @@ std::optional<CutFinish> finishAsked(const QCommandLineParser &parser, const Mac
     }
     finish.sharesCuts = finish.sharesCuts || parser.isSet(kCommonLines);
     return finish;
+}
+
+void explainSharedCuts(const CuttingDrawing &drawing)
+{
+    const Machine &machine = machineOf(drawing);
+    double once = 0.0;
+    bool isAsked = false;
+    for (CuttingSheet sheet : drawing.sheets) {
+        if (!sheet.finish.sharesCuts)
+            continue;
+        isAsked = true;
+        const auto cutBy = [&](const CutFinish &finish) {
+            sheet.finish = finish;
+            return wayAlong(inCuttingOrder(sheet), machine).cut;
+        };
+        CutFinish shared;
+        shared.sharesCuts = true;
+        once += cutBy({}) - cutBy(shared);
+    }
+    constexpr double kLeastSaid = 0.5; // mm
+    if (once >= kLeastSaid)
+        //: %1 is a length
+        printError(
+            tr("Cut once for two parts: %1 mm.").arg(QString::number(std::round(once), 'f', 0)));
+    else if (isAsked)
+        printError(tr("No edges of two parts lie on each other: nothing is cut once. With "
+                      "--spacing 0 straight edges can."));
 }
 
 int writeCoupon(const io::Format &format, const io::FormatValues &values, const QString &path,

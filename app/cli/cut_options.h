@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "core/fabrication/cut_finish.h"
+#include "core/fabrication/cutting_drawing.h"
 
 #include <memory>
 #include <optional>
@@ -19,6 +19,9 @@ void addCutOptions(QCommandLineParser &parser);
 /// Nothing where none is given: the machine's. why: where one makes no sense.
 std::optional<CutFinish> finishAsked(const QCommandLineParser &parser, const Machine *machine,
                                      QString &why);
+
+/// How much is cut once for two parts, where that is asked for: also that it is nothing.
+void explainSharedCuts(const CuttingDrawing &drawing);
 
 /// Writes a fit coupon for the stocks that sections are cut from, and says what its slits mean. The
 /// format writes cutting files. Returns the exit status.

@@ -297,6 +297,7 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
     printError(made);
     if (options.machine)
         printError(bedText(*options.machine, file->drawing));
+    explainSharedCuts(file->drawing);
     for (const Stock &stock : file->drawing.stocks)
         if (!(roomOf(stock.sheet, options.layout).minCoeff() > 0.0))
             //: %1 is a stock, %2 a length
