@@ -3,6 +3,7 @@
 #include "core/fabrication/cutting_order.h"
 #include "core/fabrication/fit_coupon.h"
 #include "core/fabrication/machine.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/io/coupon_words.h"
 #include "core/io/document_file.h"
 
@@ -106,6 +107,17 @@ std::optional<CutFinish> finishAsked(const QCommandLineParser &parser, const Mac
     }
     finish.sharesCuts = finish.sharesCuts || parser.isSet(kCommonLines);
     return finish;
+}
+
+QString whyNoRoom(const std::vector<Stock> &stocks, const LayoutOptions &options)
+{
+    const auto stock = std::find_if(stocks.begin(), stocks.end(),
+                                    [&](const Stock &one) { return !hasRoom(one, options); });
+    return stock == stocks.end()
+               ? QString()
+               //: %1 is a stock, %2 a length
+               : tr("Sheets of %1 have no room within margins of %2 mm.")
+                     .arg(QString::fromStdString(stock->name), QString::number(options.margin));
 }
 
 void explainSharedCuts(const CuttingDrawing &drawing)

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace fff {
 struct Machine;
@@ -19,6 +20,9 @@ void addCutOptions(QCommandLineParser &parser);
 /// Nothing where none is given: the machine's. why: where one makes no sense.
 std::optional<CutFinish> finishAsked(const QCommandLineParser &parser, const Machine *machine,
                                      QString &why);
+
+/// A sentence where margins leave nothing of any sheet of a stock: no part can be laid on one.
+QString whyNoRoom(const std::vector<Stock> &stocks, const LayoutOptions &options);
 
 /// How much is cut once for two parts, where that is asked for: also that it is nothing.
 void explainSharedCuts(const CuttingDrawing &drawing);

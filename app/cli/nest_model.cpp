@@ -1,5 +1,6 @@
 #include "app/cli/nest.h"
 
+#include "app/cli/cut_options.h"
 #include "app/cli/cutting_warnings.h"
 #include "core/analysis/cutting.h"
 #include "core/analysis/lying_parts.h"
@@ -52,13 +53,15 @@ bool isTooLarge(const Layout &layout, int part)
            layout.oversized.end();
 }
 
-/// Sheets with parts that fit them.
-std::vector<Sheet> properSheets(const Layout &layout)
+/// Indices of sheets with parts that fit them.
+std::vector<std::size_t> properSheets(const Layout &layout)
 {
-    std::vector<Sheet> sheets;
-    for (const Sheet &sheet : layout.sheets)
-        if (!sheet.placements.empty() && !isTooLarge(layout, sheet.placements.front().part))
-            sheets.push_back(sheet);
+    std::vector<std::size_t> sheets;
+    for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
+        const std::vector<Placement> &placements = layout.sheets[i].placements;
+        if (!placements.empty() && !isTooLarge(layout, placements.front().part))
+            sheets.push_back(i);
+    }
     return sheets;
 }
 
@@ -72,6 +75,17 @@ std::vector<std::string> namesOfTooLarge(const Layout &layout, const PartsToNest
     return names;
 }
 
+/// Of its parts.
+std::vector<Stock> stocksOf(const PartsToNest &of)
+{
+    std::vector<Stock> stocks;
+    for (const auto &stock : of.model.document.stocks)
+        if (std::any_of(of.parts.begin(), of.parts.end(),
+                        [&](const Part &part) { return part.stock == stock->id; }))
+            stocks.push_back(*stock);
+    return stocks;
+}
+
 double fillOf(const Sheet &sheet, const std::vector<Part> &parts)
 {
     Layout alone;
@@ -79,7 +93,8 @@ double fillOf(const Sheet &sheet, const std::vector<Part> &parts)
     return usedShare(alone, parts);
 }
 
-void writeSheet(JsonWriter &json, const Sheet &sheet, const PartsToNest &of)
+/// isMissing  there are not so many of its stock
+void writeSheet(JsonWriter &json, const Sheet &sheet, bool isMissing, const PartsToNest &of)
 {
     json.beginObject();
     json.member("size", sheet.size);
@@ -87,6 +102,8 @@ void writeSheet(JsonWriter &json, const Sheet &sheet, const PartsToNest &of)
     json.member("stock", stock ? stock->name : std::string());
     if (sheet.index < 0)
         json.member("offcut", -sheet.index); // which of its stock's, from 1 on
+    if (isMissing)
+        json.member("missing", true);
     json.member("fill", fillOf(sheet, of.parts));
     json.key("parts");
     json.beginArray();
@@ -109,8 +126,9 @@ std::string nestJson(const NestedLayout &nested, const PartsToNest &of, const Ne
     json.member("seed", asked.seed);
     json.key("sheets");
     json.beginArray();
-    for (const Sheet &sheet : properSheets(nested.layout))
-        writeSheet(json, sheet, of);
+    const std::vector<bool> missing = areMissing(nested.layout, of.model.document);
+    for (const std::size_t i : properSheets(nested.layout))
+        writeSheet(json, nested.layout.sheets[i], missing[i], of);
     json.endArray();
     json.key("tooLarge");
     json.beginArray();
@@ -123,10 +141,11 @@ std::string nestJson(const NestedLayout &nested, const PartsToNest &of, const Ne
 
 QStringList nestText(const NestedLayout &nested, const PartsToNest &of)
 {
-    const std::vector<Sheet> sheets = properSheets(nested.layout);
+    const std::vector<std::size_t> sheets = properSheets(nested.layout);
     QStringList lines{tr("Parts: %1, sheets: %2")
                           .arg(QString::number(of.parts.size()), QString::number(sheets.size()))};
-    for (const Sheet &sheet : sheets) {
+    for (const std::size_t i : sheets) {
+        const Sheet &sheet = nested.layout.sheets[i];
         const Stock *stock = of.model().document.find(sheet.stock);
         //: A sheet's size, its stock, how many parts lie on it, and how much of it they cover
         lines += tr("%1 × %2 mm, %3: %4 parts, %5 % covered")
@@ -155,6 +174,10 @@ int nestModel(const QString &file, const DocumentOptions &documentOptions, const
     options.turning = asked.turning.value_or(options.turning);
     options.seed = asked.seed;
     options.work = nest::workOf(asked.seconds);
+    if (const QString why = whyNoRoom(stocksOf(*of), options.layout); !why.isEmpty()) {
+        printError(why);
+        return BadInput;
+    }
     addWishes(of->model(), bodiesOfParts(of->model(), of->parts), options);
     const NestGuard guard(asked.seconds);
     const NestedLayout nested = nestOut(of->parts, of->model(), options, guard.work());

@@ -282,6 +282,10 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
     const Result<io::CuttingFile> file = io::makeCuttingFile(*analysis, options);
     if (!file)
         return report(file.error(), input);
+    if (const QString none = whyNoRoom(file->drawing.stocks, options.layout); !none.isEmpty()) {
+        printError(none);
+        return BadInput;
+    }
     const Result<void> written =
         options.isFilePerSheet
             ? io::writeFiles(io::numberedFiles(wish.path, file->sheets, wish.format.suffix()))
@@ -298,12 +302,6 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
     if (options.machine)
         printError(bedText(*options.machine, file->drawing));
     explainSharedCuts(file->drawing);
-    for (const Stock &stock : file->drawing.stocks)
-        if (!(roomOf(stock.sheet, options.layout).minCoeff() > 0.0))
-            //: %1 is a stock, %2 a length
-            printError(tr("Sheets of %1 have no room within margins of %2 mm.")
-                           .arg(QString::fromStdString(stock.name),
-                                QString::number(options.layout.margin)));
     for (const MissingSheets &missing : file->missing)
         //: %1 is a stock, %2 a number
         printError(tr("Sheets of %1 that are missing: %2")

@@ -1,5 +1,6 @@
 #include "app/cli/all_found.h"
 #include "app/cli/command_line.h"
+#include "app/cli/cut_options.h"
 #include "app/cli/info.h"
 #include "app/cli/table.h"
 #include "app/cli/value_options.h"
@@ -85,6 +86,8 @@ Variant made(const Document &document, const QStringList &settings, const io::Fo
     const Result<io::CuttingFile> file = io::makeCuttingFile(analysis, options);
     if (!file)
         return wrongVariant(io::errorText(file.error()));
+    if (const QString why = whyNoRoom(file->drawing.stocks, options.layout); !why.isEmpty())
+        return wrongVariant(why);
     if (const Result<void> written = io::writeFile(path, file->whole); !written) {
         Variant variant = wrongVariant(io::errorText(written.error()));
         variant.status = CannotWrite;

@@ -40,6 +40,16 @@ std::vector<nest::SheetKind> SheetSupply::kinds(int wholes) const
     return kinds;
 }
 
+bool hasRoom(const Stock &stock, const LayoutOptions &options)
+{
+    const auto isRoom = [&](const Vec2 &size) { return roomOf(size, options).minCoeff() > 0.0; };
+    if (options.sheet)
+        return isRoom(*options.sheet);
+    return isRoom(stock.sheet) ||
+           std::any_of(stock.spares.begin(), stock.spares.end(),
+                       [&](const SpareSheet &spare) { return isRoom(spare.size()); });
+}
+
 Region outlineOf(const Sheet &sheet)
 {
     if (sheet.outline)
@@ -53,20 +63,43 @@ double areaOf(const Sheet &sheet)
     return sheet.outline ? std::abs(area(*sheet.outline)) : sheet.size.x() * sheet.size.y();
 }
 
+namespace {
+
+/// Not of a part that fits none.
+bool isWholeOf(const Sheet &sheet, const Stock &stock, const Layout &layout)
+{
+    return sheet.stock == stock.id && sheet.index >= 0 &&
+           std::none_of(sheet.placements.begin(), sheet.placements.end(),
+                        [&](const Placement &one) {
+                            return std::find(layout.oversized.begin(), layout.oversized.end(),
+                                             one.part) != layout.oversized.end();
+                        });
+}
+
+} // namespace
+
 int missingSheets(const Layout &layout, const Stock &stock)
 {
     if (!stock.sheetCount)
         return 0;
-    const auto isWhole = [&](const Sheet &sheet) {
-        return sheet.stock == stock.id && sheet.index >= 0 &&
-               std::none_of(sheet.placements.begin(), sheet.placements.end(),
-                            [&](const Placement &one) {
-                                return std::find(layout.oversized.begin(), layout.oversized.end(),
-                                                 one.part) != layout.oversized.end();
-                            });
-    };
-    const auto taken = std::count_if(layout.sheets.begin(), layout.sheets.end(), isWhole);
+    const auto taken =
+        std::count_if(layout.sheets.begin(), layout.sheets.end(),
+                      [&](const Sheet &sheet) { return isWholeOf(sheet, stock, layout); });
     return std::max(0, static_cast<int>(taken) - *stock.sheetCount);
+}
+
+std::vector<bool> areMissing(const Layout &layout, const Document &document)
+{
+    std::vector<bool> missing(layout.sheets.size());
+    for (const auto &stock : document.stocks) {
+        int left = missingSheets(layout, *stock);
+        for (std::size_t i = layout.sheets.size(); i-- > 0 && left > 0;)
+            if (isWholeOf(layout.sheets[i], *stock, layout)) {
+                missing[i] = true;
+                --left;
+            }
+    }
+    return missing;
 }
 
 } // namespace fff

@@ -36,6 +36,8 @@ private:
     std::vector<Sheet> m_spares; // each of them
 };
 
+/// Whether margins leave anything of its whole sheets, or of an offcut.
+bool hasRoom(const Stock &stock, const LayoutOptions &options);
 /// What it covers, to nest on.
 Region outlineOf(const Sheet &sheet);
 /// mm²
@@ -43,5 +45,7 @@ double areaOf(const Sheet &sheet);
 /// Whole sheets of that stock that a layout takes beyond those that there are; 0 where that is not
 /// said.
 int missingSheets(const Layout &layout, const Stock &stock);
+/// Of each of the layout's sheets, whether it is one of these: the last of its stock are.
+std::vector<bool> areMissing(const Layout &layout, const Document &document);
 
 } // namespace fff

@@ -45,6 +45,8 @@ private Q_SLOTS:
     void sameSeedSameBytes();
     void aModel();
     void tooLargeOnesAreNamed();
+    void sheetsWithoutRoom();
+    void sheetsThatAreMissing();
     void text();
     void wrongUse_data();
     void wrongUse();
@@ -146,6 +148,33 @@ void TestCliNest::tooLargeOnesAreNamed()
     const QJsonArray names = QJsonDocument::fromJson(told.out).object()[u"tooLarge"].toArray();
     QVERIFY(!names.isEmpty());
     QVERIFY(told.err.contains(names[0].toString().toUtf8() + ": a part is too large"));
+}
+
+/// A file was written all the same, its parts over the edge, and all was well.
+void TestCliNest::sheetsWithoutRoom()
+{
+    const QString svg = m_folder.filePath(u"out.svg"_s);
+    const QStringList small{m_sample, u"--sheet"_s, u"9x9"_s};
+    for (const QStringList &words :
+         {QStringList{u"export"_s, u"-o"_s, svg}, QStringList{u"nest"_s, u"--json"_s}}) {
+        const Run told = run(words + small);
+        QCOMPARE(told.status, 2);
+        QVERIFY(told.out.isEmpty());
+        QVERIFY2(told.err.endsWith("have no room within margins of 5 mm.\n"), told.err.constData());
+    }
+    QVERIFY(!QFile::exists(svg));
+}
+
+void TestCliNest::sheetsThatAreMissing()
+{
+    const Run told = run(
+        {u"nest"_s, m_sample, u"--json"_s, u"--seconds"_s, u"0"_s, u"--sheet"_s, u"250x200:1"_s});
+    QCOMPARE(told.status, 0);
+    const QJsonArray sheets = QJsonDocument::fromJson(told.out).object()[u"sheets"].toArray();
+    QVERIFY(sheets.size() > 1);
+    for (qsizetype i = 0; i < sheets.size(); ++i)
+        QCOMPARE(sheets[i][u"missing"].toBool(), i > 0);
+    QVERIFY(told.err.contains("that are missing: " + QByteArray::number(sheets.size() - 1)));
 }
 
 void TestCliNest::text()
