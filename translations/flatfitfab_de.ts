@@ -8660,7 +8660,9 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -9106,10 +9108,6 @@
         <translation>Legt Teile nach ihren wahren Umrissen aus und sucht so viele Sekunden; 0 nimmt die erste Anordnung (nach ihren Rechtecken).</translation>
     </message>
     <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>Schlitze 1 bis %1 haben ein Spiel von %2 bis %3 mm: den Streifen hineinstecken und dem Material das Spiel des Schlitzes geben, der passt.</translation>
-    </message>
-    <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
         <translation>Alle %1 Leisten zusammenschieben: Was ihrer Breite an %2 mm fehlt, geteilt durch %1, ist die Schnittfuge.</translation>
     </message>
@@ -9369,6 +9367,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>Keine Kanten zweier Teile liegen aufeinander: Nichts wird nur einmal geschnitten. Mit --spacing 0 können es gerade Kanten.</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>Schlitze %1 bis %2 haben ein Spiel von %3 bis %4 mm: den Streifen hineinstecken und dem Material das Spiel des Schlitzes geben, der passt.</translation>
     </message>
 </context>
 <context>

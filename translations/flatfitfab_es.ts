@@ -8508,12 +8508,10 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>Las ranuras de 1 a %1 tienen holguras de %2 a %3 mm: mete la tira y da al material la holgura de la que encaje bien.</translation>
     </message>
     <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
@@ -9369,6 +9367,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>No coincide ningún borde de dos piezas: nada se corta una sola vez. Con --spacing 0 los bordes rectos pueden coincidir.</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>Las ranuras de %1 a %2 tienen holguras de %3 a %4 mm: mete la tira y da al material la holgura de la que encaje bien.</translation>
     </message>
 </context>
 <context>

@@ -8508,12 +8508,10 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>Les fentes 1 à %1 ont des jeux de %2 à %3&#xa0;mm&#xa0;: enfoncez-y la bande, et donnez au matériau le jeu de celle qui va bien.</translation>
     </message>
     <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
@@ -9369,6 +9367,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>Aucun bord de deux pièces ne coïncide : rien n’est découpé une seule fois. Avec --spacing 0, les bords droits le peuvent.</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>Les fentes %1 à %2 ont des jeux de %3 à %4 mm : enfoncez-y la bande, et donnez au matériau le jeu de celle qui va bien.</translation>
     </message>
 </context>
 <context>

@@ -8411,12 +8411,10 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>スリット 1 から %1 のクリアランスは %2 から %3 mm です: 帯を差し込み、合ったスリットのクリアランスを材料に設定してください。</translation>
     </message>
     <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
@@ -9272,6 +9270,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>2 つの部品で重なる辺がないため、一度だけカットするところはありません。--spacing 0 なら直線の辺を重ねられます。</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>スリット %1 から %2 のクリアランスは %3 から %4 mm です: 帯を差し込み、合ったスリットのクリアランスを材料に設定してください。</translation>
     </message>
 </context>
 <context>

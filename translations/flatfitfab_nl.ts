@@ -8508,12 +8508,10 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>De sleuven 1 tot %1 hebben een speling van %2 tot %3 mm: duw de strook erin en geef het materiaal de speling van de sleuf die past.</translation>
     </message>
     <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
@@ -9369,6 +9367,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>Er liggen geen randen van twee onderdelen op elkaar: niets wordt maar één keer gesneden. Met --spacing 0 kunnen rechte randen dat.</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>De sleuven %1 tot %2 hebben een speling van %3 tot %4 mm: duw de strook erin en geef het materiaal de speling van de sleuf die past.</translation>
     </message>
 </context>
 <context>

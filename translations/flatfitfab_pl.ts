@@ -8605,12 +8605,10 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>Szczeliny od 1 do %1 mają luz od %2 do %3 mm: wciskaj w nie pasek i nadaj materiałowi luz tej, która pasuje.</translation>
     </message>
     <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
@@ -9466,6 +9464,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>Żadne krawędzie dwóch części się nie stykają: nic nie jest cięte tylko raz. Z --spacing 0 mogą się stykać krawędzie proste.</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>Szczeliny od %1 do %2 mają luz od %3 do %4 mm: wciskaj w nie pasek i nadaj materiałowi luz tej, która pasuje.</translation>
     </message>
 </context>
 <context>

@@ -8411,12 +8411,10 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it</extracomment>
+        <extracomment>%1 is a file&apos;s name, %2 a sentence about what is in it
+----------
+%1 are names of stocks, %2 is a sentence</extracomment>
         <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
-        <translation>插槽 1 到 %1 的间隙为 %2 到 %3 mm：把条插进去，再把合适的那个间隙设给材料。</translation>
     </message>
     <message>
         <source>Push all %1 slats together: what their width is less than %2 mm, divided by %1, is the kerf.</source>
@@ -9272,6 +9270,10 @@
     <message>
         <source>No edges of two parts lie on each other: nothing is cut once. With --spacing 0 straight edges can.</source>
         <translation>没有两个零件的边贴在一起：没有只切一次的边。使用 --spacing 0 时直边可以贴合。</translation>
+    </message>
+    <message>
+        <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
+        <translation>插槽 %1 到 %2 的间隙为 %3 到 %4 mm：把条插进去，再把合适的那个间隙设给材料。</translation>
     </message>
 </context>
 <context>

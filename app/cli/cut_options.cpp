@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace fff::cli {
@@ -53,13 +54,32 @@ std::vector<Stock> stocksOfSections(const Document &document)
     return stocks;
 }
 
-void explainCoupon()
+/// A sentence for each range of slits, with the names of stocks where there are several.
+void explainCoupon(const std::vector<Stock> &stocks)
 {
     const auto number = [](double mm) { return QString::number(mm, 'f', 2); };
-    printError(tr("Slits 1 to %1 have clearances from %2 to %3 mm: push the strip in, and give the "
-                  "stock the clearance of the one that fits.")
-                   .arg(QString::number(kCouponSlits), number(clearanceOfSlit(1)),
-                        number(clearanceOfSlit(kCouponSlits))));
+    std::vector<std::pair<CouponRange, QStringList>> ranges;
+    for (const Stock &stock : stocks) {
+        const CouponRange range = couponRange(stock).value_or(CouponRange());
+        const auto known = std::find_if(ranges.begin(), ranges.end(),
+                                        [&](const auto &one) { return one.first == range; });
+        const QString name = QString::fromStdString(stock.name);
+        if (known == ranges.end())
+            ranges.emplace_back(range, QStringList(name));
+        else
+            known->second += name;
+    }
+    for (const auto &[range, names] : ranges) {
+        const QString sentence =
+            tr("Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the "
+               "stock the clearance of the one that fits.")
+                .arg(QString::number(range.first), QString::number(range.last),
+                     number(clearanceOfSlit(range.first)), number(clearanceOfSlit(range.last)));
+        //: %1 are names of stocks, %2 is a sentence
+        printError(ranges.size() < 2
+                       ? sentence
+                       : tr("%1: %2").arg(names.join(QStringLiteral(", ")), sentence));
+    }
     printError(tr("Push all %1 slats together: what their width is less than %2 mm, divided by %1, "
                   "is the kerf.")
                    .arg(kCouponSlats)
@@ -150,14 +170,15 @@ void explainSharedCuts(const CuttingDrawing &drawing)
 int writeCoupon(const io::Format &format, const io::FormatValues &values, const QString &path,
                 const Document &document, const std::shared_ptr<const Machine> &machine)
 {
+    const std::vector<Stock> stocks = stocksOfSections(document);
     const Result<void> written =
-        fitCoupon(stocksOfSections(document), machine, io::couponWords())
+        fitCoupon(stocks, machine, io::couponWords())
             .and_then(
                 [&](const CuttingDrawing &drawing) { return format.writeCutting(drawing, values); })
             .and_then([&path](const std::string &bytes) { return io::writeFile(path, bytes); });
     if (!written)
         return report(written.error());
-    explainCoupon();
+    explainCoupon(stocks);
     return Done;
 }
 

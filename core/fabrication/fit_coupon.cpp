@@ -283,6 +283,11 @@ int slitOfClearance(double clearance)
     return kMiddleSlit + static_cast<int>(std::lround(off));
 }
 
+Result<CouponRange> couponRange(const Stock &stock)
+{
+    return slitRow(stock).map([](const SlitRow &row) { return CouponRange{row.first, row.last}; });
+}
+
 double kerfOfSlats(double measured)
 {
     return (kCouponSlats * kCouponSlat - measured) / kCouponSlats;

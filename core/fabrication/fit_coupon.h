@@ -23,6 +23,15 @@ double clearanceOfSlit(int number);
 /// The number of the slit whose clearance is next to that.
 int slitOfClearance(double clearance);
 
+/// The numbers of the slits that a stock's coupon has.
+struct CouponRange
+{
+    int first = 1, last = kCouponSlits;
+    bool operator==(const CouponRange &) const = default;
+};
+/// Errors  as fitCoupon().
+Result<CouponRange> couponRange(const Stock &stock);
+
 inline constexpr int kCouponSlats = 10;
 inline constexpr double kCouponSlat = 10.0; // mm, width of each
 /// The kerf of a machine whose slats, pushed together side by side, are that wide, mm.

@@ -17,6 +17,8 @@ class TestCliCuts : public QObject
 private Q_SLOTS:
     void tabsOpenTheCuts();
     void aCoupon();
+    void aCouponOfFewSlits_data();
+    void aCouponOfFewSlits();
     void wrongUse_data();
     void wrongUse();
 
@@ -57,6 +59,30 @@ void TestCliCuts::aCoupon()
         QVERIFY(written(u"coupon."_s + suffix).size() > 1000);
     }
     QVERIFY(written(u"coupon.svg"_s).contains("Slits to try"));
+}
+
+/// All 13 were promised where the kerf closes some, or the sheet is too short for them.
+void TestCliCuts::aCouponOfFewSlits_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("says");
+    const auto row = [](const char *name, const QStringList &options, const char *says) {
+        QTest::newRow(name) << options << QByteArray(says);
+    };
+    row("all of them", {}, "Slits 1 to 13 have clearances from -0.30 to 0.30 mm");
+    row("thin", {u"--thickness"_s, u"0.25"_s, u"--kerf"_s, u"0.15"_s},
+        "Slits 6 to 13 have clearances from -0.05 to 0.30 mm");
+    row("a short sheet", {u"--thickness"_s, u"10"_s, u"--sheet"_s, u"200x150"_s},
+        "Slits 3 to 11 have clearances from -0.20 to 0.20 mm");
+}
+
+void TestCliCuts::aCouponOfFewSlits()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, says);
+    const Run made = runExport(u"coupon.svg"_s, QStringList{u"--coupon"_s} + options);
+    QVERIFY2(made.status == 0, made.err.constData());
+    QVERIFY2(made.err.contains(says), made.err.constData());
 }
 
 void TestCliCuts::wrongUse_data()
