@@ -9372,6 +9372,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>Schlitze %1 bis %2 haben ein Spiel von %3 bis %4 mm: den Streifen hineinstecken und dem Material das Spiel des Schlitzes geben, der passt.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>Kein Platz für die An- und Auslaufwege aller Schnitte: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9372,6 +9372,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>Las ranuras de %1 a %2 tienen holguras de %3 a %4 mm: mete la tira y da al material la holgura de la que encaje bien.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>No hay sitio para las entradas y salidas de todos los cortes: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9372,6 +9372,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>Les fentes %1 à %2 ont des jeux de %3 à %4 mm : enfoncez-y la bande, et donnez au matériau le jeu de celle qui va bien.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>Pas de place pour les entrées et sorties de toutes les découpes : %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

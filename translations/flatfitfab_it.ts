@@ -9372,6 +9372,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>Le fessure da %1 a %2 hanno giochi da %3 a %4 mm: infila la striscia e dai al materiale il gioco di quella che va bene.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>Non c’è spazio per gli attacchi e le uscite di tutti i tagli: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9275,6 +9275,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>スリット %1 から %2 のクリアランスは %3 から %4 mm です: 帯を差し込み、合ったスリットのクリアランスを材料に設定してください。</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>すべてのカットのリードを入れる場所がありません: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

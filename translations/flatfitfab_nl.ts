@@ -9372,6 +9372,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>De sleuven %1 tot %2 hebben een speling van %3 tot %4 mm: duw de strook erin en geef het materiaal de speling van de sleuf die past.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>Geen ruimte voor de aan- en uitloop van alle sneden: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9469,6 +9469,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>Szczeliny od %1 do %2 mają luz od %3 do %4 mm: wciskaj w nie pasek i nadaj materiałowi luz tej, która pasuje.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>Brak miejsca na wejścia i wyjścia wszystkich cięć: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9372,6 +9372,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>As fendas %1 a %2 têm folgas de %3 a %4 mm: encaixe a tira e dê ao material a folga da que servir.</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>Sem espaço para as entradas e saídas de todos os cortes: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

@@ -9275,6 +9275,10 @@
         <source>Slits %1 to %2 have clearances from %3 to %4 mm: push the strip in, and give the stock the clearance of the one that fits.</source>
         <translation>插槽 %1 到 %2 的间隙为 %3 到 %4 mm：把条插进去，再把合适的那个间隙设给材料。</translation>
     </message>
+    <message>
+        <source>No room for the leads of all cuts: %1</source>
+        <translation>放不下所有切割的引线：%1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

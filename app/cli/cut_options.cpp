@@ -167,6 +167,18 @@ void explainSharedCuts(const CuttingDrawing &drawing)
                       "--spacing 0 straight edges can."));
 }
 
+void explainLeads(const CuttingDrawing &drawing)
+{
+    QStringList names;
+    for (const CuttingSheet &sheet : drawing.sheets)
+        for (const std::size_t part : partsWithoutLead(sheet))
+            names += QString::fromStdString(sheet.parts[part].name());
+    names.removeDuplicates();
+    if (!names.isEmpty())
+        printError(
+            tr("No room for the leads of all cuts: %1").arg(names.join(QStringLiteral(", "))));
+}
+
 int writeCoupon(const io::Format &format, const io::FormatValues &values, const QString &path,
                 const Document &document, const std::shared_ptr<const Machine> &machine)
 {

@@ -27,6 +27,9 @@ QString whyNoRoom(const std::vector<Stock> &stocks, const LayoutOptions &options
 /// How much is cut once for two parts, where that is asked for: also that it is nothing.
 void explainSharedCuts(const CuttingDrawing &drawing);
 
+/// Which parts have a cut without the lead that is asked for.
+void explainLeads(const CuttingDrawing &drawing);
+
 /// Writes a fit coupon for the stocks that sections are cut from, and says what its slits mean. The
 /// format writes cutting files. Returns the exit status.
 int writeCoupon(const io::Format &format, const io::FormatValues &values, const QString &path,

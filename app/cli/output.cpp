@@ -302,6 +302,7 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
     if (options.machine)
         printError(bedText(*options.machine, file->drawing));
     explainSharedCuts(file->drawing);
+    explainLeads(file->drawing);
     for (const MissingSheets &missing : file->missing)
         //: %1 is a stock, %2 a number
         printError(tr("Sheets of %1 that are missing: %2")

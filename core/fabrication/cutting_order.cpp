@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -181,15 +182,33 @@ void reverse(ToolLine &line)
         curve = curve.reversed();
 }
 
-/// In place of each cut what is followed of it; these are kept in `opened`.
-void openCuts(const CuttingSheet &sheet, std::map<int, std::vector<ToolLine *>> &ranks,
-              std::vector<std::vector<ToolLine>> &opened)
+/// By what is followed first, none twice.
+std::map<int, std::vector<ToolLine *>> rankedOnce(std::vector<ToolLine> &lines,
+                                                  const std::vector<int> &depths)
+{
+    std::map<int, std::vector<ToolLine *>> ranks;
+    for (ToolLine &line : lines)
+        ranks[rankOf(line, depths)].push_back(&line);
+    Followed followed;
+    for (auto &[rank, some] : ranks)
+        std::erase_if(some, [&](const ToolLine *line) { return !followed.isNew(*line); });
+    return ranks;
+}
+
+std::vector<const ToolLine *> cutsOf(const std::map<int, std::vector<ToolLine *>> &ranks)
 {
     std::vector<const ToolLine *> cuts;
     for (const auto &[rank, some] : ranks)
         std::copy_if(some.begin(), some.end(), std::back_inserter(cuts),
                      [](const ToolLine *line) { return isCut(*line); });
-    opened = openedCuts(cuts, sheet);
+    return cuts;
+}
+
+/// In place of each cut what is followed of it; these are kept in `opened`.
+void openCuts(const CuttingSheet &sheet, std::map<int, std::vector<ToolLine *>> &ranks,
+              std::vector<std::vector<ToolLine>> &opened)
+{
+    opened = openedCuts(cutsOf(ranks), sheet);
     std::size_t next = 0;
     for (auto &[rank, some] : ranks) {
         std::vector<ToolLine *> all;
@@ -247,12 +266,7 @@ std::vector<ToolLine> inCuttingOrder(const CuttingSheet &sheet, const Vec2 &from
 {
     std::vector<ToolLine> lines = toolLines(sheet);
     const std::vector<int> depths = depthsOf(sheet, lines);
-    std::map<int, std::vector<ToolLine *>> ranks;
-    for (ToolLine &line : lines)
-        ranks[rankOf(line, depths)].push_back(&line);
-    Followed followed;
-    for (auto &[rank, some] : ranks)
-        std::erase_if(some, [&](const ToolLine *line) { return !followed.isNew(*line); });
+    std::map<int, std::vector<ToolLine *>> ranks = rankedOnce(lines, depths);
     std::vector<std::vector<ToolLine>> opened;
     if (!sheet.finish.isPlain())
         openCuts(sheet, ranks, opened);
@@ -262,6 +276,17 @@ std::vector<ToolLine> inCuttingOrder(const CuttingSheet &sheet, const Vec2 &from
     for (auto &[rank, some] : ranks)
         addNearestNext(std::move(some), at, ordered);
     return ordered;
+}
+
+std::vector<std::size_t> partsWithoutLead(const CuttingSheet &sheet)
+{
+    std::vector<ToolLine> lines = toolLines(sheet);
+    const auto ranks = rankedOnce(lines, depthsOf(sheet, lines));
+    const std::vector<const ToolLine *> cuts = cutsOf(ranks);
+    std::set<std::size_t> parts;
+    for (const std::size_t index : cutsWithoutLead(cuts, sheet))
+        parts.insert(cuts[index]->part);
+    return {parts.begin(), parts.end()};
 }
 
 double lengthOf(const ToolLine &line)

@@ -37,6 +37,9 @@ std::vector<ToolLine> toolLines(const CuttingSheet &sheet);
 /// from  where the tool is at first. Deterministic. As a rule O(n log n).
 std::vector<ToolLine> inCuttingOrder(const CuttingSheet &sheet, const Vec2 &from = Vec2::Zero());
 
+/// Indices of parts with a cut that has no room for the lead that the finish asks for, ascending.
+std::vector<std::size_t> partsWithoutLead(const CuttingSheet &sheet);
+
 /// How far the tool goes, mm.
 struct ToolWay
 {

@@ -136,6 +136,9 @@ public:
         return pieces;
     }
 
+    /// Of what pieces() gave.
+    bool hasLead() const { return m_lead.has_value(); }
+
 private:
     /// What is left out, each once, from that station on.
     std::vector<LineSpan> inOrderFrom(double begin) const
@@ -268,17 +271,46 @@ private:
 
 } // namespace
 
-std::vector<std::vector<ToolLine>> openedCuts(std::span<const ToolLine *const> cuts,
-                                              const CuttingSheet &sheet)
+namespace {
+
+/// Calls visit(index, pieces, hasLead) for each cut in turn.
+template <class Visit>
+void openEach(std::span<const ToolLine *const> cuts, const CuttingSheet &sheet, const Visit &visit)
 {
     std::vector<std::vector<LineSpan>> shared(cuts.size());
     if (sheet.finish.sharesCuts)
         shared = sharedSpans(cuts);
     const CutChords all(cuts);
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        OpenedCut cut(*cuts[i], i, sheet, std::move(shared[i]), all);
+        std::vector<ToolLine> pieces = cut.pieces();
+        visit(i, std::move(pieces), cut.hasLead());
+    }
+}
+
+} // namespace
+
+std::vector<std::vector<ToolLine>> openedCuts(std::span<const ToolLine *const> cuts,
+                                              const CuttingSheet &sheet)
+{
     std::vector<std::vector<ToolLine>> opened;
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-        opened.push_back(OpenedCut(*cuts[i], i, sheet, std::move(shared[i]), all).pieces());
+    openEach(cuts, sheet, [&](std::size_t, std::vector<ToolLine> pieces, bool) {
+        opened.push_back(std::move(pieces));
+    });
     return opened;
+}
+
+std::vector<std::size_t> cutsWithoutLead(std::span<const ToolLine *const> cuts,
+                                         const CuttingSheet &sheet)
+{
+    std::vector<std::size_t> without;
+    if (sheet.finish.lead > 0.0)
+        openEach(cuts, sheet,
+                 [&](std::size_t i, const std::vector<ToolLine> &pieces, bool hasLead) {
+                     if (!hasLead && !pieces.empty()) // else another one cuts all of it
+                         without.push_back(i);
+                 });
+    return without;
 }
 
 } // namespace fff

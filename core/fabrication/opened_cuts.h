@@ -23,6 +23,10 @@ namespace fff {
 std::vector<std::vector<ToolLine>> openedCuts(std::span<const ToolLine *const> cuts,
                                               const CuttingSheet &sheet);
 
+/// Indices of the cuts that get no lead, though the finish asks for leads.
+std::vector<std::size_t> cutsWithoutLead(std::span<const ToolLine *const> cuts,
+                                         const CuttingSheet &sheet);
+
 // mm
 inline constexpr double kTabRoom = 1.0;
 inline constexpr double kLeadRoom = 0.5;

@@ -16,6 +16,7 @@ class TestCliCuts : public QObject
 
 private Q_SLOTS:
     void tabsOpenTheCuts();
+    void leadsWithoutRoom();
     void aCoupon();
     void aCouponOfFewSlits_data();
     void aCouponOfFewSlits();
@@ -47,6 +48,17 @@ void TestCliCuts::tabsOpenTheCuts()
     QVERIFY(paths(u"plain.svg"_s) > 0);
     QVERIFY(paths(u"tabs.svg"_s) > paths(u"plain.svg"_s));
     QCOMPARE(written(u"none.svg"_s), written(u"plain.svg"_s));
+}
+
+/// Holes, or parts close together, that are too small for a lead got none, and nothing was said.
+void TestCliCuts::leadsWithoutRoom()
+{
+    const Run enough = runExport(u"lead.svg"_s, {u"--lead"_s, u"0.2"_s});
+    QVERIFY2(enough.status == 0 && !enough.err.contains("No room for the leads"),
+             enough.err.constData());
+    const Run none = runExport(u"lead.svg"_s, {u"--lead"_s, u"40"_s});
+    QCOMPARE(none.status, 0);
+    QVERIFY2(none.err.contains("No room for the leads of all cuts"), none.err.constData());
 }
 
 void TestCliCuts::aCoupon()
