@@ -79,7 +79,7 @@ std::vector<std::string> namesOfTooLarge(const Layout &layout, const PartsToNest
 std::vector<Stock> stocksOf(const PartsToNest &of)
 {
     std::vector<Stock> stocks;
-    for (const auto &stock : of.model.document.stocks)
+    for (const auto &stock : of.model().document.stocks)
         if (std::any_of(of.parts.begin(), of.parts.end(),
                         [&](const Part &part) { return part.stock == stock->id; }))
             stocks.push_back(*stock);
@@ -126,7 +126,7 @@ std::string nestJson(const NestedLayout &nested, const PartsToNest &of, const Ne
     json.member("seed", asked.seed);
     json.key("sheets");
     json.beginArray();
-    const std::vector<bool> missing = areMissing(nested.layout, of.model.document);
+    const std::vector<bool> missing = areMissing(nested.layout, of.model().document);
     for (const std::size_t i : properSheets(nested.layout))
         writeSheet(json, nested.layout.sheets[i], missing[i], of);
     json.endArray();

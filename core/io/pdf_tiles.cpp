@@ -36,7 +36,7 @@ std::string PdfTile::name() const
 
 Vec2 PdfTiles::room() const
 {
-    return paper - Vec2::Constant(2.0 * kPaperMargin);
+    return paper - Vec2::Constant(kPaperMargin) - low();
 }
 
 PdfTiles tilesOver(const Box2 &box, const Vec2 &paper)

@@ -9,6 +9,7 @@
 namespace fff::io {
 
 inline constexpr double kPaperMargin = 10.0;  // mm, that printers leave white
+inline constexpr double kPaperFoot = 6.0;     // mm within them, below: what is said of the page
 inline constexpr double kPaperOverlap = 10.0; // mm, that neighbours share
 
 struct PdfTile
@@ -26,12 +27,14 @@ struct PdfTiles
     int columns = 0, rows = 0;
     std::vector<PdfTile> tiles; // row by row
 
-    /// Of the paper, without its margins.
+    /// Of the paper, without its margins and the foot.
     Vec2 room() const;
+    /// The lower left of that on the paper.
+    static Vec2 low() { return {kPaperMargin, kPaperMargin + kPaperFoot}; }
 };
 
 /// Tiles over the box, in the middle of them; the paper is turned where that takes fewer.
-/// paper  mm, larger than its margins and the overlap
+/// paper  mm, larger than its margins, the foot and the overlap
 PdfTiles tilesOver(const Box2 &box, const Vec2 &paper);
 
 } // namespace fff::io

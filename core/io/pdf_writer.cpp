@@ -82,7 +82,7 @@ std::vector<PdfPage> sheetPages(const CuttingDrawing &drawing)
 /// Where the page is cut off and glued to its neighbours.
 void addSeams(const PdfTiles &tiles, const PdfTile &tile, PdfPage &page)
 {
-    const Vec2 low = Vec2::Constant(kPaperMargin), high = tiles.paper - low;
+    const Vec2 low = PdfTiles::low(), high = low + tiles.room();
     constexpr double kHalf = 0.5 * kPaperOverlap;
     std::vector<double> across, along; // x of upright seams, y of level ones
     if (tile.column > 0)
@@ -100,31 +100,24 @@ void addSeams(const PdfTiles &tiles, const PdfTile &tile, PdfPage &page)
     for (const double y : along)
         page.edge({low.x(), y}, {high.x(), y});
     page.dashes(0.0);
-    // Crop marks in the margins, and a cross in the middle of each seam, where its neighbour has
-    // it.
+    // A cross in the middle of each seam, where its neighbour has it.
     page.pen(kBlack, kHairline);
     const Vec2 middle = 0.5 * (low + high);
     const auto cross = [&page](const Vec2 &p) {
         page.edge(p - Vec2(kCross, 0.0), p + Vec2(kCross, 0.0));
         page.edge(p - Vec2(0.0, kCross), p + Vec2(0.0, kCross));
     };
-    for (const double x : across) {
+    for (const double x : across)
         cross({x, middle.y()});
-        page.edge({x, low.y() - kCross}, {x, low.y()});
-        page.edge({x, high.y()}, {x, high.y() + kCross});
-    }
-    for (const double y : along) {
+    for (const double y : along)
         cross({middle.x(), y});
-        page.edge({low.x() - kCross, y}, {low.x(), y});
-        page.edge({high.x(), y}, {high.x() + kCross, y});
-    }
 }
 
-/// Under what is drawn, in the margin.
+/// Under what is drawn, where printers still print.
 void addFoot(const CuttingDrawing &drawing, const CuttingSheet &sheet, const PdfTiles &tiles,
              const PdfTile &tile, PdfPage &page)
 {
-    const double low = 0.5 * (kPaperMargin - kMeasuringBox.y());
+    const double low = kPaperMargin;
     if (drawing.hasReference)
         addMeasuringBox({kPaperMargin, low}, kMeasuringBox, page);
     const QString text = QCoreApplication::translate("Pdf", "Sheet %1, page %2")
@@ -156,8 +149,8 @@ std::vector<PdfPage> paperPages(const CuttingDrawing &drawing, const Vec2 &paper
                 }))
                 continue;
             PdfPage &page = pages.emplace_back(tiles.paper);
-            const Vec2 margin = Vec2::Constant(kPaperMargin);
-            page.beginClip(margin, tiles.room(), margin - tile.corner);
+            const Vec2 low = PdfTiles::low();
+            page.beginClip(low, tiles.room(), low - tile.corner);
             draw(lines, drawing, kPaperStroke, page, shown);
             page.endClip();
             addSeams(tiles, tile, page);

@@ -42,6 +42,7 @@ private Q_SLOTS:
     void severalSheets();
     void tilesCoverAndOverlap_data();
     void tilesCoverAndOverlap();
+    void paperKeepsItsMargins();
     void sameInputSameBytes();
 };
 
@@ -273,9 +274,9 @@ void TestCuttingFormats::tilesCoverAndOverlap_data()
     QTest::addColumn<Vec2>("size");
     QTest::addColumn<int>("count");
     QTest::newRow("on one") << Vec2(100, 150) << 1;
-    QTest::newRow("just on one") << Vec2(190, 277) << 1;
-    QTest::newRow("turned") << Vec2(277, 190) << 1;
-    QTest::newRow("just too wide") << Vec2(191, 277) << 2;
+    QTest::newRow("just on one") << Vec2(190, 271) << 1;
+    QTest::newRow("turned") << Vec2(277, 184) << 1;
+    QTest::newRow("just too wide") << Vec2(191, 271) << 2;
     QTest::newRow("a sheet") << Vec2(600, 400) << 8;
     QTest::newRow("long") << Vec2(9000, 20) << 34;
 }
@@ -307,6 +308,45 @@ void TestCuttingFormats::tilesCoverAndOverlap()
     QVERIFY((covered.min.array() <= box.min.array() + 1e-9).all() &&
             (covered.max.array() >= box.max.array() - 1e-9).all());
     QCOMPARE((io::PdfTile{26, 4, Vec2::Zero()}).name(), std::string("AA5"));
+}
+
+/// What printers leave white took the box to measure and the page's name, 3 mm from the edge.
+void TestCuttingFormats::paperKeepsItsMargins()
+{
+    const QByteArray pdf = QByteArray::fromStdString(
+        io::writePdf(plateDrawing("Plate", {}, 8, {600, 400}), io::PdfPaper::A4));
+    const QRegularExpression number(QStringLiteral("-?[0-9]+\\.?[0-9]*"));
+    int pages = 0;
+    for (qsizetype at = pdf.indexOf("\nstream\n"); at >= 0;
+         at = pdf.indexOf("\nstream\n", at + 1)) {
+        ++pages;
+        const qsizetype from = at + 8;
+        const QByteArray packed = pdf.mid(from, pdf.indexOf("\nendstream", from) - from);
+        const QByteArray page = qUncompress(QByteArray("\0\1\0\0", 4) + packed);
+        QVERIFY(page.contains("Sheet 1, page"));
+        bool isClipped = false;
+        for (const QByteArray &line : page.split('\n')) {
+            isClipped = (isClipped || line.startsWith("q ")) && line != "Q";
+            const bool isText = line.startsWith("BT "), isEdge = line.endsWith(" l S"),
+                       isBox = line.endsWith(" re S");
+            if (isClipped || !(isText || isEdge || isBox))
+                continue;
+            std::vector<double> numbers;
+            auto found = number.globalMatch(
+                QString::fromLatin1(isText ? line.mid(line.indexOf("Tf ")) : line));
+            while (found.hasNext())
+                numbers.push_back(found.next().captured().toDouble());
+            std::vector<Vec2> points{{numbers.at(0), numbers.at(1)}};
+            if (!isText)
+                points.emplace_back(numbers.at(2), numbers.at(3));
+            if (isBox)
+                points[1] += points[0];
+            for (const Vec2 &p : points)
+                QVERIFY2(p.minCoeff() >= 10.0 && (Vec2(297, 297) - p).minCoeff() >= 10.0,
+                         line.constData());
+        }
+    }
+    QVERIFY(pages > 1);
 }
 
 void TestCuttingFormats::sameInputSameBytes()
