@@ -1479,7 +1479,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>Eine Ebene mehr je Richtung</translation>
     </message>
     <message>
@@ -1505,6 +1504,64 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Scheiben überschneiden sich etwas</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>Platten können ausgehen. Es braucht bis zu %n Platte aus %1, und da sind %2.</numerusform>
+            <numerusform>Platten können ausgehen. Es braucht bis zu %n Platten aus %1, und da sind %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>Platten können ausgehen</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Unter „Platten“ nachsehen, wie eng die Teile liegen können.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Ebenen alle %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, um %2 % versetzt</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>Eine Ebene mehr</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>Eine Ebene weniger je Richtung</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>Eine Ebene weniger</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>Zwei Ebenen mehr je Richtung</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>Zwei Ebenen mehr</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>Zwei Ebenen weniger je Richtung</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>Zwei Ebenen weniger</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Keine Verschiebung und keine Zahl der Ebenen, die versucht wurde, lässt sie ineinandergleiten. Die Schnitte umwandeln und eine davon kürzen oder weglassen.</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +5085,10 @@
         <source>materials</source>
         <translation>Materialien</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>der Umriss ist offen: seine Enden liegen %1 mm auseinander</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6312,6 +6373,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Wie</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 sagt nicht, wie groß die Zeichnung in mm oder Zoll ist; das Reststück wird mit %2 × %3 mm genommen.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: Der Umriss kreuzt sich selbst; genommen wird das größte Stück davon, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: Linien zerschneiden das Reststück; genommen wird das größte Stück, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: Im Reststück sind Linien offen; was sie geschlossen umschließen würden, bleibt frei.</translation>
     </message>
 </context>
 <context>
@@ -8090,6 +8172,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Zahl der Ebenen von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Abstand der Ebenen von %1 ändern</translation>
     </message>
 </context>
 <context>
@@ -14711,10 +14798,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Wird ausgelegt…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>behält das Beste bisher</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Wird neu ausgelegt…</translation>
     </message>
@@ -14769,6 +14852,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 Schnitt</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Bisher am besten %1 %, %2 s</translation>
     </message>
 </context>
 <context>

@@ -206,6 +206,14 @@
             <numerusform>At most %n sheets</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>May run out of sheets. It takes up to %n sheet of %1, and you have %2.</numerusform>
+            <numerusform>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

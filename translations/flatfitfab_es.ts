@@ -1479,7 +1479,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>Un plano más en cada dirección</translation>
     </message>
     <message>
@@ -1505,6 +1504,64 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Secciones un poco solapadas</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>Pueden faltar planchas. Hace falta hasta %n plancha de %1, y hay %2.</numerusform>
+            <numerusform>Pueden faltar planchas. Hacen falta hasta %n planchas de %1, y hay %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>Pueden faltar planchas</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Mira en Planchas lo juntas que pueden ir las piezas.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Planos cada %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, desplazado un %2 %</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>Un plano más</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>Un plano menos en cada dirección</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>Un plano menos</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>Dos planos más en cada dirección</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>Dos planos más</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>Dos planos menos en cada dirección</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>Dos planos menos</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Ninguno de los desplazamientos y números de planos probados permite que se deslicen juntas. Convierte las rebanadas y acorta una de ellas, o quítala.</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +5085,10 @@
         <source>materials</source>
         <translation>materiales</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>el contorno está abierto: sus extremos distan %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6312,6 +6373,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Cómo</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 no dice qué tamaño tiene en mm o pulgadas; el retal se toma como de %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: el contorno se cruza a sí mismo; se toma su trozo más grande, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: hay líneas que cortan el retal en trozos; se toma el más grande, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: hay líneas abiertas en el retal; lo que encerrarían si estuvieran cerradas queda libre.</translation>
     </message>
 </context>
 <context>
@@ -8090,6 +8172,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Cambiar el número de planos de %1</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Cambiar la separación de los planos de %1</translation>
     </message>
 </context>
 <context>
@@ -14715,10 +14802,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Colocando…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>conserva la mejor hasta ahora</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Colocando otra vez…</translation>
     </message>
@@ -14769,6 +14852,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 de corte</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Mejor hasta ahora: %1 %, %2 s</translation>
     </message>
 </context>
 <context>

@@ -1479,7 +1479,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>Un plan de plus par direction</translation>
     </message>
     <message>
@@ -1505,6 +1504,64 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Des sections se chevauchent un peu</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>Les plaques peuvent manquer. Il faut jusqu’à %n plaque de %1, et il y en a %2.</numerusform>
+            <numerusform>Les plaques peuvent manquer. Il faut jusqu’à %n plaques de %1, et il y en a %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>Les plaques peuvent manquer</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Voyez dans Plaques à quel point les pièces peuvent être serrées.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Des plans tous les %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, décalé de %2 %</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>Un plan de plus</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>Un plan de moins par direction</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>Un plan de moins</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>Deux plans de plus par direction</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>Deux plans de plus</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>Deux plans de moins par direction</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>Deux plans de moins</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Aucun des décalages et nombres de plans essayés ne leur permet de coulisser ensemble. Convertissez les tranches et raccourcissez l’une d’elles, ou supprimez-la.</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +5085,10 @@
         <source>materials</source>
         <translation>matériaux</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>le contour est ouvert : ses extrémités sont à %1 mm l’une de l’autre</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6312,6 +6373,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Comment</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 ne dit pas sa taille en mm ou en pouces ; la chute est prise pour %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1 : le contour se croise lui-même ; son plus grand morceau est pris, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1 : des lignes coupent la chute en morceaux ; le plus grand est pris, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1 : des lignes dans la chute sont ouvertes ; ce qu’elles entoureraient une fois fermées reste libre.</translation>
     </message>
 </context>
 <context>
@@ -8090,6 +8172,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Modifier le nombre de plans de %1</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Modifier l’espacement des plans de %1</translation>
     </message>
 </context>
 <context>
@@ -10222,7 +10309,7 @@
     <message>
         <source>%1 % of the stroke</source>
         <extracomment>%1 is a number: of the line that somebody draws</extracomment>
-        <translation>%1 % du trait</translation>
+        <translation>%1&#xa0;% du trait</translation>
     </message>
     <message>
         <source>Farthest off</source>
@@ -14715,10 +14802,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Imbrication…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>garde la meilleure jusqu’ici</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Nouvelle imbrication…</translation>
     </message>
@@ -14769,6 +14852,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 de découpe</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Meilleur jusqu’ici : %1 %, %2 s</translation>
     </message>
 </context>
 <context>

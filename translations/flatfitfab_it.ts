@@ -1479,7 +1479,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>Un piano in più per direzione</translation>
     </message>
     <message>
@@ -1505,6 +1504,64 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Sezioni appena sovrapposte</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>Le lastre possono non bastare. Serve fino a %n lastra di %1, e ce ne sono %2.</numerusform>
+            <numerusform>Le lastre possono non bastare. Servono fino a %n lastre di %1, e ce ne sono %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>Le lastre possono non bastare</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Guarda in Lastre quanto vicini possono stare i pezzi.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Piani ogni %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, spostato del %2 %</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>Un piano in più</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>Un piano in meno per direzione</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>Un piano in meno</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>Due piani in più per direzione</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>Due piani in più</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>Due piani in meno per direzione</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>Due piani in meno</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Nessuno spostamento e nessun numero di piani provato le fa scorrere insieme. Converti le fette e accorcia una di loro, oppure toglila.</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +5085,10 @@
         <source>materials</source>
         <translation>materiali</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>la sagoma è aperta: i suoi estremi distano %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6312,6 +6373,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Come</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 non dice quanto è grande in mm o pollici; il ritaglio è preso come %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: la sagoma si incrocia; è preso il suo pezzo più grande, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: alcune linee tagliano il ritaglio a pezzi; è preso il più grande, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: alcune linee nel ritaglio sono aperte; ciò che racchiuderebbero da chiuse resta libero.</translation>
     </message>
 </context>
 <context>
@@ -8090,6 +8172,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Cambia il numero di piani di %1</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Cambia la distanza dei piani di %1</translation>
     </message>
 </context>
 <context>
@@ -14715,10 +14802,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Disposizione…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>tiene la migliore finora</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Nuova disposizione…</translation>
     </message>
@@ -14769,6 +14852,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 di taglio</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Migliore finora: %1 %, %2 s</translation>
     </message>
 </context>
 <context>

@@ -1452,7 +1452,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>各方向に平面を 1 つ増やす</translation>
     </message>
     <message>
@@ -1477,6 +1476,63 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>板が少し重なっている</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>シートが足りないおそれ。%1 のシートが最大 %n 枚必要で、手元には %2 枚です。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>シートが足りないおそれ</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>部品をどこまで詰められるかは「シート」で確かめてください。</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>平面を %1 ごとに置く</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1、%2 % ずらす</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>平面を 1 つ増やす</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>各方向に平面を 1 つ減らす</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>平面を 1 つ減らす</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>各方向に平面を 2 つ増やす</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>平面を 2 つ増やす</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>各方向に平面を 2 つ減らす</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>平面を 2 つ減らす</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>試したずらし方と平面の数では、どれも差し込めません。スライスを板に変換し、どれかを短くするか、取り除いてください。</translation>
     </message>
 </context>
 <context>
@@ -4989,6 +5045,10 @@
         <source>materials</source>
         <translation>材料</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>輪郭線が開いています: 両端が %1 mm 離れています</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6253,6 +6313,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>方法</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 には mm やインチの大きさが書かれていません。端材は %2 × %3 mm とみなします。</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: 輪郭線が自分自身と交差しています。そのうち最大の部分、%2 × %3 mm を使います。</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: 線が端材を切り分けています。最大の部分、%2 × %3 mm を使います。</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: 端材の中に開いた線があります。閉じたときに囲む部分は空けておきます。</translation>
     </message>
 </context>
 <context>
@@ -7997,6 +8078,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>%1 の平面数を変更</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>%1 の平面の間隔を変更</translation>
     </message>
 </context>
 <context>
@@ -14598,10 +14684,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>板取り中…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>これまでの最良を残します</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>板取りをやり直し中…</translation>
     </message>
@@ -14648,6 +14730,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · カット長 %2</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>これまでの最良 %1 %、%2 秒</translation>
     </message>
 </context>
 <context>

@@ -1479,7 +1479,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>Eén vlak meer per richting</translation>
     </message>
     <message>
@@ -1505,6 +1504,64 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Secties overlappen elkaar iets</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>De platen kunnen opraken. Er is tot %n plaat van %1 nodig, en er zijn er %2.</numerusform>
+            <numerusform>De platen kunnen opraken. Er zijn tot %n platen van %1 nodig, en er zijn er %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>De platen kunnen opraken</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Kijk bij Platen hoe dicht de onderdelen bij elkaar kunnen liggen.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Een vlak om de %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, %2 % verschoven</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>Eén vlak meer</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>Eén vlak minder per richting</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>Eén vlak minder</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>Twee vlakken meer per richting</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>Twee vlakken meer</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>Twee vlakken minder per richting</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>Twee vlakken minder</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Geen van de geprobeerde verschuivingen en aantallen vlakken laat ze in elkaar schuiven. Zet de schijven om en kort een ervan in, of laat die weg.</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +5085,10 @@
         <source>materials</source>
         <translation>materialen</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>de omtrek is open: de uiteinden liggen %1 mm uit elkaar</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6312,6 +6373,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Hoe</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 zegt niet hoe groot het is in mm of inch; het reststuk wordt genomen als %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: de omtrek kruist zichzelf; het grootste stuk ervan wordt genomen, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: lijnen snijden het reststuk in stukken; het grootste wordt genomen, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: er zijn open lijnen in het reststuk; wat ze gesloten zouden omsluiten, blijft vrij.</translation>
     </message>
 </context>
 <context>
@@ -8090,6 +8172,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Aantal vlakken van %1 wijzigen</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Tussenruimte van de vlakken van %1 wijzigen</translation>
     </message>
 </context>
 <context>
@@ -14715,10 +14802,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Indelen…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>behoudt het beste tot nu toe</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Opnieuw indelen…</translation>
     </message>
@@ -14769,6 +14852,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 snijden</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Beste tot nu toe %1 %, %2 s</translation>
     </message>
 </context>
 <context>

@@ -1506,7 +1506,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>O jedną płaszczyznę więcej w każdym kierunku</translation>
     </message>
     <message>
@@ -1533,6 +1532,65 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Płytki lekko się przenikają</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>Może zabraknąć arkuszy. Potrzeba do %n arkusza materiału %1, a jest %2.</numerusform>
+            <numerusform>Może zabraknąć arkuszy. Potrzeba do %n arkuszy materiału %1, a jest %2.</numerusform>
+            <numerusform>Może zabraknąć arkuszy. Potrzeba do %n arkuszy materiału %1, a jest %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>Może zabraknąć arkuszy</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Zobacz w panelu Arkusze, jak ciasno mogą leżeć części.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Płaszczyzny co %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, z przesunięciem o %2%</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>O jedną płaszczyznę więcej</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>O jedną płaszczyznę mniej w każdym kierunku</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>O jedną płaszczyznę mniej</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>O dwie płaszczyzny więcej w każdym kierunku</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>O dwie płaszczyzny więcej</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>O dwie płaszczyzny mniej w każdym kierunku</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>O dwie płaszczyzny mniej</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Żadne z wypróbowanych przesunięć i liczb płaszczyzn nie pozwala ich zsunąć. Utrwal plastry i skróć jedną z nich albo ją usuń.</translation>
     </message>
 </context>
 <context>
@@ -5067,6 +5125,10 @@
         <source>materials</source>
         <translation>materiałów</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>obrys jest otwarty: jego końce są oddalone o %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6371,6 +6433,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Jak</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 nie podaje rozmiaru w mm ani calach; resztka jest przyjęta jako %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: obrys przecina sam siebie; przyjęto jego największy kawałek, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: linie dzielą resztkę na kawałki; przyjęto największy, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: w resztce są otwarte linie; to, co otoczyłyby po zamknięciu, zostaje wolne.</translation>
     </message>
 </context>
 <context>
@@ -8183,6 +8266,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Zmień liczbę płaszczyzn: %1</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Zmień odstęp płaszczyzn: %1</translation>
     </message>
 </context>
 <context>
@@ -14832,10 +14920,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Rozkładanie…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>zachowuje najlepszy układ dotąd</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Ponowne rozkładanie…</translation>
     </message>
@@ -14890,6 +14974,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 cięcia</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Najlepszy dotąd: %1 %, %2 s</translation>
     </message>
 </context>
 <context>

@@ -1479,7 +1479,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>Mais um plano em cada direção</translation>
     </message>
     <message>
@@ -1505,6 +1504,64 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>Seções se sobrepõem um pouco</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>Podem faltar chapas. É preciso até %n chapa de %1, e há %2.</numerusform>
+            <numerusform>Podem faltar chapas. São precisas até %n chapas de %1, e há %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>Podem faltar chapas</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>Veja em Chapas o quanto as peças podem ficar juntas.</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>Planos a cada %1</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1, deslocado em %2 %</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>Mais um plano</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>Menos um plano em cada direção</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>Menos um plano</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>Mais dois planos em cada direção</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>Mais dois planos</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>Menos dois planos em cada direção</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>Menos dois planos</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>Nenhum dos deslocamentos e números de planos testados permite que elas deslizem juntas. Converta as fatias e encurte uma delas, ou deixe-a de fora.</translation>
     </message>
 </context>
 <context>
@@ -5028,6 +5085,10 @@
         <source>materials</source>
         <translation>materiais</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>o contorno está aberto: suas pontas estão a %1 mm uma da outra</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6312,6 +6373,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>Como</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 não diz o tamanho em mm ou polegadas; o retalho é tomado como %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1: o contorno cruza a si mesmo; é usado o maior pedaço dele, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1: linhas cortam o retalho em pedaços; é usado o maior, %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1: há linhas abertas no retalho; o que elas cercariam se fossem fechadas fica livre.</translation>
     </message>
 </context>
 <context>
@@ -8090,6 +8172,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>Alterar número de planos de %1</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>Alterar espaçamento dos planos de %1</translation>
     </message>
 </context>
 <context>
@@ -14715,10 +14802,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Dispondo…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>mantém a melhor até agora</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>Dispondo de novo…</translation>
     </message>
@@ -14769,6 +14852,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · %2 de corte</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>Melhor até agora: %1 %, %2 s</translation>
     </message>
 </context>
 <context>

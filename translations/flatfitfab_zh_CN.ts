@@ -1452,7 +1452,6 @@
     </message>
     <message>
         <source>One plane more each way</source>
-        <extracomment>of the slices of a mesh</extracomment>
         <translation>每个方向多一个平面</translation>
     </message>
     <message>
@@ -1477,6 +1476,63 @@
     <message>
         <source>Sections overlap slightly</source>
         <translation>插片略有重叠</translation>
+    </message>
+    <message numerus="yes">
+        <source>May run out of sheets. It takes up to %n sheets of %1, and you have %2.</source>
+        <extracomment>%n is a number of sheets, two at least; %1 is a stock, %2 how many sheets there are of it</extracomment>
+        <translation>
+            <numerusform>板材可能不够。最多需要 %n 张 %1 板材，现有 %2 张。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>May run out of sheets</source>
+        <translation>板材可能不够</translation>
+    </message>
+    <message>
+        <source>Look in Sheets how closely the parts can lie.</source>
+        <translation>可在“板材”中查看零件能排得多紧。</translation>
+    </message>
+    <message>
+        <source>Planes every %1</source>
+        <extracomment>of the slices of a mesh; %1 is a length</extracomment>
+        <translation>每 %1 一个平面</translation>
+    </message>
+    <message>
+        <source>%1, shifted by %2 %</source>
+        <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
+        <translation>%1，偏移 %2 %</translation>
+    </message>
+    <message>
+        <source>One plane more</source>
+        <translation>多一个平面</translation>
+    </message>
+    <message>
+        <source>One plane fewer each way</source>
+        <translation>每个方向少一个平面</translation>
+    </message>
+    <message>
+        <source>One plane fewer</source>
+        <translation>少一个平面</translation>
+    </message>
+    <message>
+        <source>Two planes more each way</source>
+        <translation>每个方向多两个平面</translation>
+    </message>
+    <message>
+        <source>Two planes more</source>
+        <translation>多两个平面</translation>
+    </message>
+    <message>
+        <source>Two planes fewer each way</source>
+        <translation>每个方向少两个平面</translation>
+    </message>
+    <message>
+        <source>Two planes fewer</source>
+        <translation>少两个平面</translation>
+    </message>
+    <message>
+        <source>None of the shifts and numbers of planes that were tried lets them slide together. Bake the slices and shorten one of them, or leave it out.</source>
+        <translation>试过的偏移和平面数都不能让它们插在一起。请把切片定型，然后缩短其中一个，或去掉它。</translation>
     </message>
 </context>
 <context>
@@ -4989,6 +5045,10 @@
         <source>materials</source>
         <translation>材料</translation>
     </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart</source>
+        <translation>轮廓线没有闭合：两端相距 %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6253,6 +6313,27 @@
         <source>How</source>
         <extracomment>before the buttons Copy, Both sides and Once</extracomment>
         <translation>方式</translation>
+    </message>
+</context>
+<context>
+    <name>Offcut</name>
+    <message>
+        <source>%1 does not say how large it is in mm or inches; the offcut is taken as %2 × %3 mm.</source>
+        <extracomment>%1 is a file&apos;s name, %2 x %3 the size of an offcut</extracomment>
+        <translation>%1 没有以 mm 或英寸说明大小；余料按 %2 × %3 mm 处理。</translation>
+    </message>
+    <message>
+        <source>%1: the outline crosses itself; the largest piece of it is taken, %2 × %3 mm.</source>
+        <translation>%1：轮廓线与自身相交；取其中最大的一块，%2 × %3 mm。</translation>
+    </message>
+    <message>
+        <source>%1: lines cut the offcut into pieces; the largest is taken, %2 × %3 mm.</source>
+        <translation>%1：有线条把余料切成几块；取最大的一块，%2 × %3 mm。</translation>
+    </message>
+    <message>
+        <source>%1: lines in the offcut are open; what they would enclose if they were closed is left free.</source>
+        <extracomment>%1 is a file&apos;s name</extracomment>
+        <translation>%1：余料中有未闭合的线；它们闭合后围出的部分留空。</translation>
     </message>
 </context>
 <context>
@@ -7997,6 +8078,11 @@
         <source>Change number of planes of %1</source>
         <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
         <translation>更改 %1 的平面数</translation>
+    </message>
+    <message>
+        <source>Change spacing of planes of %1</source>
+        <extracomment>%1 is the name of an operation, such as &quot;Slices&quot;</extracomment>
+        <translation>更改 %1 的平面间距</translation>
     </message>
 </context>
 <context>
@@ -14598,10 +14684,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>正在排版…</translation>
     </message>
     <message>
-        <source>keeps the best so far</source>
-        <translation>保留目前最好的结果</translation>
-    </message>
-    <message>
         <source>Nesting again…</source>
         <translation>正在重新排版…</translation>
     </message>
@@ -14648,6 +14730,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>%1 · %2 of cutting</source>
         <extracomment>%1 are the parts, %2 is how far the machine cuts</extracomment>
         <translation>%1 · 切割 %2</translation>
+    </message>
+    <message>
+        <source>Best so far %1 %, %2 s</source>
+        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
+        <translation>目前最好 %1 %，%2 秒</translation>
     </message>
 </context>
 <context>
