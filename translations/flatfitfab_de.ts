@@ -3706,6 +3706,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>es gibt keine Anzeige mit OpenGL 3.3.</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>Die Suche wurde vor ihrem Ende abgebrochen, weil dieser Rechner ausgelastet ist: Ein anderer Lauf kann anders anordnen.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

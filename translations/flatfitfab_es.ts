@@ -3706,6 +3706,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>no hay pantalla con OpenGL 3.3.</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>La búsqueda se detuvo antes de terminar porque este equipo está ocupado: otra ejecución puede dar otra disposición.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

@@ -1529,7 +1529,7 @@
     <message>
         <source>%1, shifted by %2 %</source>
         <extracomment>of the slices of a mesh; %1 is such as &quot;One plane fewer each way&quot;</extracomment>
-        <translation>%1, décalé de %2 %</translation>
+        <translation>%1, décalé de %2&#xa0;%</translation>
     </message>
     <message>
         <source>One plane more</source>
@@ -3705,6 +3705,10 @@
     <message>
         <source>there is no display with OpenGL 3.3.</source>
         <translation>il n’y a pas d’affichage avec OpenGL 3.3.</translation>
+    </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>La recherche a été arrêtée avant la fin, car cet ordinateur est occupé : une autre exécution peut donner une autre disposition.</translation>
     </message>
 </context>
 <context>

@@ -3706,6 +3706,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>non c’è uno schermo con OpenGL 3.3.</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>La ricerca è stata fermata prima della fine perché questo computer è occupato: un’altra esecuzione può dare un’altra disposizione.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

@@ -3676,6 +3676,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>OpenGL 3.3 を使えるディスプレイがありません。</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>このコンピューターが混み合っているため、探索を途中で止めました。次に実行すると別の配置になることがあります。</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

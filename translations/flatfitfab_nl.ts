@@ -3706,6 +3706,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>er is geen scherm met OpenGL 3.3.</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>Het zoeken is voor het einde gestopt omdat deze computer bezet is: een andere keer kan een andere indeling geven.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

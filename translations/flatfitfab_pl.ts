@@ -3736,6 +3736,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>nie ma ekranu z OpenGL 3.3.</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>Wyszukiwanie przerwano przed końcem, bo komputer jest zajęty: inne uruchomienie może dać inny układ.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

@@ -3706,6 +3706,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>não há tela com OpenGL 3.3.</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>A busca foi interrompida antes do fim porque este computador está ocupado: outra execução pode dar outra disposição.</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

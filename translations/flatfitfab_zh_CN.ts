@@ -3676,6 +3676,10 @@
         <source>there is no display with OpenGL 3.3.</source>
         <translation>没有支持 OpenGL 3.3 的显示器。</translation>
     </message>
+    <message>
+        <source>The search was stopped before its end, since this machine is busy: another run may come to another layout.</source>
+        <translation>由于本机繁忙，搜索提前停止：再次运行可能得到不同的排样。</translation>
+    </message>
 </context>
 <context>
     <name>Coupon</name>

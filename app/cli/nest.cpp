@@ -1,7 +1,9 @@
 #include "app/cli/nest.h"
 
+#include "app/cli/terminal.h"
 #include "core/nesting/nester.h"
 
+#include <QCoreApplication>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -24,6 +26,14 @@ NestGuard::NestGuard(double seconds)
               m_stop.request_stop();
       })
 {
+}
+
+NestGuard::~NestGuard()
+{
+    if (m_stop.stop_requested())
+        printError(QCoreApplication::translate(
+            "CommandLine", "The search was stopped before its end, since this machine is busy: "
+                           "another run may come to another layout."));
 }
 
 double degreesOf(const Vec2 &turn)

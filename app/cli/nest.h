@@ -33,11 +33,13 @@ int nestInstance(const QString &file, const NestAsked &asked);
 int nestModel(const QString &file, const DocumentOptions &documentOptions, const NestAsked &asked,
               const Verb &verb);
 
-/// Stops what takes too long by the clock.
+/// Stops what takes too long by the clock, and says so when it is over: how far it came hangs on
+/// the machine.
 class NestGuard
 {
 public:
     explicit NestGuard(double seconds);
+    ~NestGuard();
     LongWork work() const { return {m_stop.get_token(), {}}; }
 
 private:

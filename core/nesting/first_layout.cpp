@@ -18,6 +18,11 @@ constexpr int kMostRows = 48, kLeastRows = 12;
 constexpr int kRowsForAll = 4500; // rows of all pieces together
 /// So many pieces are tried in several orders and with all of their turns.
 constexpr std::size_t kFewPieces = 100, kTurnsOfMany = 4;
+/// Edges that are passed by while a piece slides, to a step of what is counted as work: each is a
+/// comparison of two numbers.
+constexpr Steps kEdgesToAStep = 8;
+/// Where one order took so much work, others are not tried: the first layout comes at once.
+constexpr Steps kWorkForOrders = 40'000'000;
 /// A sheet without room for a piece is asked again for one with less than this of its area.
 constexpr double kSmaller = 0.8;
 
@@ -99,7 +104,7 @@ public:
             if (!sheet.pieces.empty())
                 laid.sheets.push_back(
                     {sheet.kind, std::move(sheet.pieces), std::move(sheet.poses)});
-        m_steps += m_meter.used;
+        m_steps += m_meter.used / kEdgesToAStep;
         return laid;
     }
 
@@ -228,7 +233,7 @@ Laid firstLayout(const Prepared &prepared, const Problem &problem, Steps &steps)
     std::vector<std::vector<int>> tried;
     for (const Order order : {Order::Area, Order::Length, Order::Width}) {
         const std::vector<int> pieces = ordered(prepared, problem, order);
-        if (!isFirst && pieces.size() > kFewPieces)
+        if (!isFirst && (pieces.size() > kFewPieces || steps > kWorkForOrders))
             break;
         if (std::find(tried.begin(), tried.end(), pieces) != tried.end())
             continue;
