@@ -4,8 +4,12 @@
 #include "core/templates/vertex_merger.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <string>
 
 namespace fff {
 
@@ -15,6 +19,26 @@ bool isInMeasure(const Vec3 &p)
 {
     return std::abs(p.x()) <= kMostMeshCoordinate && std::abs(p.y()) <= kMostMeshCoordinate &&
            std::abs(p.z()) <= kMostMeshCoordinate; // not so for NaN
+}
+
+/// A number beyond what a mesh may have, of those that faces have; none where each is in measure,
+/// or is no number.
+std::optional<double> firstTooLarge(const MeshDraft &draft)
+{
+    for (const Triangle &t : draft.triangles)
+        for (const std::uint32_t corner : t)
+            if (corner < draft.positions.size())
+                for (const double number : draft.positions[corner])
+                    if (std::isfinite(number) && std::abs(number) > kMostMeshCoordinate)
+                        return number;
+    return std::nullopt;
+}
+
+std::string written(double number)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return {text.data(), end};
 }
 
 /// Faces with corners that are not there, or are nowhere.
@@ -157,6 +181,7 @@ Result<MendedMesh> mended(MeshDraft draft, const LongWork &work)
         work.tell(++done / kSteps);
         return !work.isStopped();
     };
+    const std::optional<double> tooLarge = firstTooLarge(draft);
     dropImpossible(draft, report);
     if (!step())
         return failure(ErrorCode::Cancelled);
@@ -167,6 +192,9 @@ Result<MendedMesh> mended(MeshDraft draft, const LongWork &work)
     dropDuplicates(draft, report);
     if (!step())
         return failure(ErrorCode::Cancelled);
+    if (draft.triangles.empty() && tooLarge)
+        return failure(ErrorCode::BadValue, {},
+                       {written(*tooLarge), QT_TRANSLATE_NOOP("Error", "coordinates up to 1e12")});
     if (draft.triangles.empty())
         return failure(ErrorCode::BadValue, {},
                        {"", QT_TRANSLATE_NOOP("Error", "a mesh with at least one triangle")});

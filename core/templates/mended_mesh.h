@@ -33,7 +33,8 @@ struct MendedMesh
 /// different corners close the gap where an edge has a corner of its neighbour's on it, and of two
 /// equal faces that look at each other, each belongs to another solid. Holes are left open.
 ///
-/// Errors  BadValue without a place when no face is left; Cancelled.
+/// Errors  BadValue without a place when no face is left, with the number where one was too large;
+///         Cancelled.
 /// Cost    O(n), but for thousands of faces at one vertex.
 Result<MendedMesh> mended(MeshDraft draft, const LongWork &work = {});
 

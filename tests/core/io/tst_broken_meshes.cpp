@@ -97,6 +97,8 @@ void TestBrokenMeshes::saidClearly_data()
     // OBJ
     row("OBJ without a face", "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\n",
         "a.obj: found nothing, expected a mesh with at least one triangle");
+    row("OBJ of another world", "a.obj", "v 0 0 0\nv 1e302 0 0\nv 0 -8e301 0\nf 1 2 3\n",
+        "a.obj: found \"1e+302\", expected coordinates up to 1e12");
     row("OBJ with a number too few", "a.obj", "v 0 0 0\nv 1 0\nv 1 1 0\nf 1 2 3\n",
         "a.obj:2: found nothing, expected a number");
     row("OBJ with a word for a number", "a.obj", "v 0 0 0\nv 1 x 0\n",
