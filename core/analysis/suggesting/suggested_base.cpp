@@ -23,6 +23,9 @@ constexpr std::size_t kLookedAhead = 16, kAhead = 14;
 /// How much further than it has to a base may be tilted: those that come move its centre of mass.
 constexpr double kTiltToCome = 1.3;
 
+/// Of a plane's normal, upwards: what leans by less (20°) stands on the ground by itself.
+constexpr double kLeaning = 0.3420201433256687;
+
 struct BaseTry
 {
     std::vector<std::size_t> cuts;
@@ -42,14 +45,16 @@ double lossOn(double share)
 class BaseSearch
 {
 public:
+    /// begins with the best of all cuts, or of those that stand upright
     BaseSearch(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
-               bool allowsWeak, const std::stop_token &stop)
+               bool allowsWeak, bool isUpright, const std::stop_token &stop)
         : m_cuts(cuts), m_samples(samples), m_thickness(thickness), m_allowsWeak(allowsWeak),
           m_stop(stop)
     {
         const ShownForm none(samples);
         for (std::size_t i = 0; i < cuts.size(); ++i)
-            m_firsts.push_back({{i}, cuts[i].preference * none.gainOf(cuts[i].shown)});
+            if (!isUpright || std::abs(cuts[i].frame.normal().y()) < kLeaning)
+                m_firsts.push_back({{i}, cuts[i].preference * none.gainOf(cuts[i].shown)});
         keepBest(m_firsts, kFirsts);
     }
 
@@ -172,22 +177,19 @@ void BaseSearch::keepBest(std::vector<BaseTry> &tries, std::size_t count)
     tries = std::move(kept);
 }
 
-} // namespace
-
-std::optional<SuggestedBase>
-suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
-              double lowest, double height, bool allowsWeak,
-              const std::function<bool(const SuggestedBase &)> &accepts,
-              const std::stop_token &stop)
+/// The best base of those that begin so.
+std::optional<SuggestedBase> baseOf(BaseSearch search, double meshSize, double lowest,
+                                    double height,
+                                    const std::function<bool(const SuggestedBase &)> &accepts,
+                                    const std::stop_token &stop)
 {
-    BaseSearch search(cuts, samples, thickness, allowsWeak, stop);
     std::vector<BaseTry> found;
     double best = 0.0;
     for (const double share : kGroundShares) {
         // Deeper in the ground none can be better any more.
         if (stop.stop_requested() || (best > 0.0 && best > search.best() - lossOn(share)))
             break;
-        const double sunk = std::min(share * height, kNearOutline * samples.meshSize());
+        const double sunk = std::min(share * height, kNearOutline * meshSize);
         for (BaseTry &one : search.standingOn(lowest + sunk, share * height - sunk)) {
             one.loss = lossOn(share);
             one.score = one.worth() - one.loss;
@@ -211,6 +213,22 @@ suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, 
         if (SuggestedBase base{one.cuts, one.ground}; accepts(base))
             return base;
     }
+    return {};
+}
+
+} // namespace
+
+std::optional<SuggestedBase>
+suggestedBase(const std::deque<SuggestedCut> &cuts, const FormSamples &samples, double thickness,
+              double lowest, double height, bool allowsWeak,
+              const std::function<bool(const SuggestedBase &)> &accepts,
+              const std::stop_token &stop)
+{
+    // What shows most may all lean, along the flat faces of a stone, and nothing stands on it.
+    for (const bool isUpright : {false, true})
+        if (auto base = baseOf({cuts, samples, thickness, allowsWeak, isUpright, stop},
+                               samples.meshSize(), lowest, height, accepts, stop))
+            return base;
     return {};
 }
 

@@ -9,6 +9,7 @@
 #include "core/operations/evaluate.h"
 #include "core/session/message_text.h"
 #include "tests/core/session/suggested_forms.h"
+#include "tests/core/templates/made_polyhedra.h"
 #include "tests/test_program.h"
 
 #include <cmath>
@@ -57,6 +58,7 @@ private Q_SLOTS:
     void whatCannotBeCut_data();
     void whatCannotBeCut();
     void asManyAsFit();
+    void aBodyOfManyFlatFacesStands();
     void stopped();
     void wrongUse();
 };
@@ -374,6 +376,23 @@ void TestSuggestion::asManyAsFit()
     // The last ones leave thin walls beside slits; nothing graver.
     for (const QString &fault : faultsOf(evaluate(made.document)))
         QVERIFY2(fault.startsWith(u"thinWeb"), qPrintable(fault));
+}
+
+/// A stone of fourteen corners: "No sections of rock were found that hold each other and stand."
+void TestSuggestion::aBodyOfManyFlatFacesStands()
+{
+    const std::vector<Vec3> corners{
+        {36.3536568, 86.4299487, 34.7602591},    {-79.0571126, 54.9241633, 27.0796831},
+        {-61.6361617, 66.7057894, 41.84879},     {47.3290085, 4.5734372, 87.9718627},
+        {-82.2690288, -18.1986134, -53.85738},   {89.6977452, 5.94974703, -43.8054221},
+        {-94.9884544, -31.2444418, 0.989135148}, {-16.5771814, 77.8363732, 60.5532499},
+        {-81.9335938, -57.0875576, -5.28175855}, {-81.0830495, 41.0308365, 41.7373877},
+        {87.4541615, -45.9198525, -15.592844},   {91.0754994, 28.8327868, 29.5622024},
+        {-29.6347182, -95.0187507, 9.65507585},  {7.73738268, -87.1125257, -48.4926879}};
+    const Suggestion made = suggested(documentOf(hullOf(corners), 150.0), {.count = 8});
+    QVERIFY(made.sections.size() >= 4);
+    for (const QString &fault : faultsOf(evaluate(made.document)))
+        QVERIFY2(!isGrave(fault), qPrintable(fault));
 }
 
 void TestSuggestion::stopped()
