@@ -2,6 +2,7 @@
 
 #include "core/templates/chain_closing.h"
 #include "core/templates/loop_nesting.h"
+#include "core/templates/united_loops.h"
 
 #include <algorithm>
 
@@ -50,7 +51,9 @@ PlaneCut planeCut(const TriangleMesh &mesh, const CutPlane &plane, const MeshTre
 {
     const auto cutWith = [&](const CutSegments &found) {
         PlaneCut cut{plane, closedChains(cutChains(mesh, plane, found.segments), plane)};
-        nestLoops(cut.loops, frameOn(plane));
+        const Frame frame = frameOn(plane);
+        nestLoops(cut.loops, frame);
+        uniteLoops(cut.loops, frame);
         return cut;
     };
     const CutSegments below = cutSegments(mesh, plane, OnPlane::Above, tree);

@@ -29,6 +29,7 @@ target_sources(fff_core PRIVATE
     templates/traced_picture.cpp
     templates/triangle_mesh.cpp
     templates/unfolding.cpp
+    templates/united_loops.cpp
     templates/vertex_merger.cpp
     templates/vertex_normals.cpp
 )

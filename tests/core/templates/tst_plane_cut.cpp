@@ -6,6 +6,7 @@
 #include "tests/core/templates/made_meshes.h"
 #include "tests/test_program.h"
 
+#include <algorithm>
 #include <random>
 
 using namespace fff;
@@ -57,6 +58,7 @@ private Q_SLOTS:
     void openChainsAreClosedNearestFirst();
     void aCrackIsClosedStraight();
     void bridgesLeaveSmoothly();
+    void bridgesStayWhereLoopsBecomeOne();
     void surfacesWithoutAnInside();
     void facesThatDoNotAgree();
     void exactSides();
@@ -93,7 +95,7 @@ void TestPlaneCut::knownCuts_data()
     row("at a step the wider part", step, {0.0, 0.0, 10.0}, kUp, "1/0", 100.0);
     row("at a step, from above", step, {0.0, 0.0, 10.0}, -kUp, "1/0", 100.0);
     row("two cubes at an edge", cubesAtAnEdge(10.0), {0.0, 0.0, 3.0}, kUp, "2/0", 200.0);
-    row("along that edge", cubesAtAnEdge(10.0), zero, {1.0, -1.0, 0.0}, "2/0",
+    row("along that edge", cubesAtAnEdge(10.0), zero, {1.0, -1.0, 0.0}, "1/0",
         200.0 * std::sqrt(2.0));
     MeshDraft room = ten;
     append(room, turnedOver(box({2.0, 2.0, 2.0}, {8.0, 8.0, 8.0})));
@@ -103,7 +105,23 @@ void TestPlaneCut::knownCuts_data()
     row("something in the hollow", room, {0.0, 0.0, 5.0}, kUp, "2/1", 68.0);
     MeshDraft solid = ten;
     append(solid, box({2.0, 2.0, 2.0}, {8.0, 8.0, 8.0}));
-    row("a solid in a solid is none of its holes", solid, {0.0, 0.0, 5.0}, kUp, "2/0", 136.0);
+    row("a solid in a solid is no hole and no other piece", solid, {0.0, 0.0, 5.0}, kUp, "1/0",
+        100.0);
+    MeshDraft crossing = ten;
+    append(crossing, box({5.0, 3.0, 1.0}, {15.0, 13.0, 11.0}));
+    row("cubes that run over into each other are one", crossing, {0.0, 0.0, 5.0}, kUp, "1/0",
+        165.0);
+    append(crossing, box({-5.0, 2.0, 1.0}, {-2.0, 4.0, 9.0}));
+    row("what is apart from these stays so", crossing, {0.0, 0.0, 5.0}, kUp, "2/0", 171.0);
+    MeshDraft frame = crossing;
+    append(frame, box({-4.0, 3.0, 1.0}, {-3.0, 12.5, 9.0}));
+    append(frame, box({-4.0, 12.0, 1.0}, {6.0, 12.5, 9.0}));
+    append(frame, box({-3.5, 3.0, 1.0}, {1.0, 3.5, 9.0}));
+    row("around a hole", frame, {0.0, 0.0, 5.0}, kUp, "1/1", 184.5);
+    MeshDraft filled = ten;
+    append(filled, turnedOver(box({2.0, 2.0, 2.0}, {8.0, 8.0, 8.0})));
+    append(filled, box({1.0, 1.0, 1.0}, {9.0, 5.0, 9.0}));
+    row("a hole that another solid fills in part", filled, {0.0, 0.0, 5.0}, kUp, "1/1", 82.0);
     MeshDraft wall = ten; // two faces on the wall, each of another cube
     append(wall, box({10.0, 0.0, 0.0}, {20.0, 10.0, 10.0}));
     row("cubes that share a wall are one", wall, {0.0, 0.0, 5.0}, kUp, "1/0", 200.0);
@@ -249,6 +267,27 @@ void TestPlaneCut::bridgesLeaveSmoothly()
             return a.z() < b.z();
         })->z();
     QVERIFY(top > 35.0 && top < 50.0);
+}
+
+void TestPlaneCut::bridgesStayWhereLoopsBecomeOne()
+{
+    const auto crossed = [](double without) {
+        MeshDraft draft = box({0.0, 0.0, 0.0}, {10.0, 10.0, 10.0});
+        std::erase_if(draft.triangles, [&](const Triangle &t) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t corner) {
+                return draft.positions[corner].x() == without;
+            });
+        });
+        append(draft, box({5.0, -3.0, 1.0}, {15.0, 13.0, 11.0}));
+        return cutOf(draft, {0.0, 0.0, 5.0}, kUp);
+    };
+    const PlaneCut beside = crossed(0.0), within = crossed(10.0);
+    QCOMPARE(shapeOf(beside), QStringLiteral("1/0"));
+    QCOMPARE(beside.bridges(), std::size_t(1));
+    // What is closed in the other's material bounds nothing any more.
+    QCOMPARE(shapeOf(within), QStringLiteral("1/0"));
+    QCOMPARE(within.bridges(), std::size_t(0));
+    QVERIFY(isNear(within.area(), 210.0));
 }
 
 void TestPlaneCut::surfacesWithoutAnInside()

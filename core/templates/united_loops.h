@@ -1,0 +1,19 @@
+// Loops of a cut that run over into each other, as the outline of what they enclose. Internal to
+// templates.
+#pragma once
+
+#include "core/templates/plane_cut.h"
+
+namespace fff {
+
+/// Where loops, oriented as nestLoops() leaves them, cross or touch themselves or each other, or
+/// one lies in what another encloses anyway: the boundary of all that they wind round instead, with
+/// no loop in another one's material. Else they stay as they are, bit for bit, and so they do where
+/// loops with bridges meet themselves or each other. What closed a gap stays a bridge so far as it
+/// bounds anything still.
+///
+/// frame  on the plane
+/// Cost   O(points · log points), and that of the union where there is one
+void uniteLoops(std::vector<CutLoop> &loops, const Frame &frame);
+
+} // namespace fff
