@@ -187,10 +187,11 @@ void SizeLineTool::mark(GestureContext &context, bool hasCursor)
     };
     if (m_from && m_place)
         show(*m_from, *m_place);
-    else if (m_line && m_wanted)
-        show(m_line->from,
-             m_line->from + m_wanted->length / m_line->length() * (m_line->to - m_line->from));
-    else if (m_line)
+    else if (const Template *one = context.model.document.find(m_of); m_line && m_wanted && one) {
+        const Similarity sized = Similarity::scaled(
+            m_wanted->length / m_line->length(), keptInSizing(*one, m_line->from, context.model));
+        show(sized(m_line->from), sized(m_line->to));
+    } else if (m_line)
         show(m_line->from, m_line->to);
     if (hasCursor && m_place && (m_from || m_isOver))
         signs.add(sign::Handle{SignRole::Place, *m_place});

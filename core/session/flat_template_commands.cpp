@@ -10,6 +10,7 @@
 #include "core/session/operation_script.h"
 #include "core/session/template_commands.h"
 #include "core/session/template_parameters.h"
+#include "core/templates/moved_template.h"
 
 #include <algorithm>
 #include <array>
@@ -133,8 +134,14 @@ public:
                 return tl::unexpected(number.error());
             numbers[i] = *number;
         }
-        Result<Template> sized =
-            sizedByLine(*one, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4]);
+        const Model &model = m_session.committed();
+        const Section *section = model.find(one->on);
+        const auto inWorld = [&](double x, double y) {
+            const Vec3 place = one->frame.toWorld(Vec2(x, y));
+            return section ? placementOf(section->frame)(place) : place;
+        };
+        Result<Template> sized = sizedByLine(*one, inWorld(numbers[0], numbers[1]),
+                                             inWorld(numbers[2], numbers[3]), numbers[4], model);
         if (!sized)
             return failure(ErrorCode::BadValue, sized.error().place,
                            {"", sized.error().place == "line" ? "two places that are apart"

@@ -124,8 +124,12 @@ public:
                 return tl::unexpected(value.error());
             *number = *value;
         }
-        if (size != sizeBefore && sizeBefore > 0.0)
-            one->scale *= size / sizeBefore;
+        if (size != sizeBefore && sizeBefore > 0.0) {
+            one = sizedInPlace(*std::move(one), size, m_session.committed());
+            if (!one)
+                return failure(ErrorCode::BadValue, "size",
+                               {*textOf(parameters, "size"), "a length that can be drawn"});
+        }
         if (turn != turnBefore && !(one->isFlat() && lies))
             return failure(ErrorCode::BadValue, "turn",
                            {*textOf(parameters, "turn"), "nothing: this does not lie flat"});

@@ -145,19 +145,6 @@ Template sizedTo(Template one, double size)
     return one;
 }
 
-Result<Template> sizedByLine(Template one, const Vec2 &from, const Vec2 &to, double length)
-{
-    const double now = (to - from).norm();
-    if (!(now > kClipGrid) || !from.allFinite() || !to.allFinite())
-        return failure(ErrorCode::BadValue, "line");
-    const double factor = length / now;
-    one.scale *= factor;
-    one.frame.origin += (1.0 - factor) * one.frame.directionToWorld(from);
-    if (!(length > 0.0) || !isFitting(one))
-        return failure(ErrorCode::BadValue, "length");
-    return one;
-}
-
 Box2 drawnBox(const Template &one)
 {
     if (one.picture)

@@ -44,11 +44,6 @@ Template turned(Template one, double by);
 /// So that it is as large in its largest extent, mm, about its middle. Not for one that is not
 /// read.
 Template sizedTo(Template one, double size);
-/// So that what is from one place to the other is so long, mm: the first place stays. Places in the
-/// plane of `one.frame`, mm. Errors  BadValue, place = "line" for places that are the same, or
-/// "length" for what no template can be as large as.
-Result<Template> sizedByLine(Template one, const Vec2 &from, const Vec2 &to, double length);
-
 /// What is drawn in it, in the file's units about its middle; of a drawing all of it.
 Box2 drawnBox(const Template &one);
 

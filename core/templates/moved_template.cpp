@@ -17,6 +17,9 @@ tl::unexpected<Error> badPlacement(const char *place)
     return failure(ErrorCode::BadValue, place);
 }
 
+/// mm: what is no higher above the ground is on it.
+constexpr double kOnGround = 0.01;
+
 /// mm, its largest extent.
 double extentOf(const Template &one)
 {
@@ -96,6 +99,31 @@ Template turnedTo(Template one, const Vec3 &turns)
     return one;
 }
 
+Vec3 keptInSizing(const Template &one, const Vec3 &otherwise, const Model &model)
+{
+    if (one.on != SectionRef())
+        return otherwise;
+    Box3 box;
+    for (const Vec3 &p : alignedPointsOf(one, model))
+        box.extend(p);
+    const bool isFlatOnIt = box.size().y() <= kOnGround;
+    const bool isOnGround = box.min.y() <= kOnGround && box.max.y() > kOnGround;
+    return isOnGround && !isFlatOnIt ? Vec3(one.frame.origin.x(), 0.0, one.frame.origin.z())
+                                     : otherwise;
+}
+
+Result<Template> sizedInPlace(Template one, double size, const Model &model)
+{
+    const double now = extentOf(one);
+    const std::optional<Frame> lies = worldFrame(one, model);
+    if (!(now > 0.0) || !(size > 0.0))
+        return badPlacement("size");
+    if (!lies)
+        return badPlacement("on");
+    const Vec3 kept = keptInSizing(one, lies->origin, model);
+    return movedBy(std::move(one), Similarity::scaled(size / now, kept), model);
+}
+
 Result<Template> sizedByLine(Template one, const Vec3 &from, const Vec3 &to, double length,
                              const Model &model)
 {
@@ -104,7 +132,8 @@ Result<Template> sizedByLine(Template one, const Vec3 &from, const Vec3 &to, dou
         return badPlacement("line");
     if (!(length > 0.0))
         return badPlacement("length");
-    return movedBy(std::move(one), Similarity::scaled(length / now, from), model);
+    const Vec3 kept = keptInSizing(one, from, model);
+    return movedBy(std::move(one), Similarity::scaled(length / now, kept), model);
 }
 
 std::vector<Vec3> alignedPointsOf(const Template &one, const Model &model)

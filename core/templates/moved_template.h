@@ -23,9 +23,17 @@ Vec3 turnsOf(const Template &one);
 /// With these turns, about its middle.
 Template turnedTo(Template one, const Vec3 &turns);
 
-/// So that what is from one place to the other is so long, mm: the first place stays. Places in
-/// the world; of what is flat in its plane. Errors  those of movedBy(); BadValue, place = "line",
-/// for places that are the same, "length" for one that is not above 0.
+/// The place that stays where it is sized. What stands on the ground, or goes through it, keeps
+/// standing there as it did: on the ground below its middle. All else, and what lies flat on it:
+/// `otherwise`. World, mm.
+Vec3 keptInSizing(const Template &one, const Vec3 &otherwise, const Model &model);
+/// So that it is as large in its largest extent, mm; on the ground as keptInSizing() has it, else
+/// about its middle. Errors  those of movedBy().
+Result<Template> sizedInPlace(Template one, double size, const Model &model);
+/// So that what is from one place to the other is so long, mm: it keeps standing on the ground,
+/// else the first place stays. Places in the world; of what is flat in its plane. Errors  those of
+/// movedBy(); BadValue, place = "line", for places that are the same, "length" for one that is not
+/// above 0.
 Result<Template> sizedByLine(Template one, const Vec3 &from, const Vec3 &to, double length,
                              const Model &model);
 

@@ -42,6 +42,7 @@ private Q_SLOTS:
     void shiftEnterTakesTheGuideAcross();
     void theListHidesLocksAndRemoves();
     void turnedByNumbers();
+    void itsSizeLeavesItOnTheGround();
     void itsFileIsFoundLinkedAndKept();
     void suggestionsComeOneStepEach();
     void whatIsUndoneBehindAnotherTabEnds();
@@ -159,6 +160,16 @@ void TestTemplateWindow::turnedByNumbers()
     type("templateTurnZ", QStringLiteral("0"));
     type("templateTurnX", QStringLiteral("0"));
     QVERIFY(ball().frame.x == before.x && ball().frame.y == before.y);
+}
+
+// Wrong: a ball that came 254 mm large and is made 80 mm hovers 87 mm above the ground.
+void TestTemplateWindow::itsSizeLeavesItOnTheGround()
+{
+    chooseBall();
+    type("templateSize", QStringLiteral("80"));
+    const Box3 box = worldBounds(ball(), *ball().mesh);
+    QVERIFY(std::abs(box.size().y() - 80.0) < 0.1);
+    QVERIFY(std::abs(box.min.y()) < 1e-6);
 }
 
 // Wrong: a model that was sent without its mesh has no mesh ever again.

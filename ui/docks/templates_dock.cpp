@@ -163,9 +163,10 @@ QWidget *TemplatesDock::makeFields()
         [this] { return chosen() ? std::optional(sizeOf(*chosen())) : std::nullopt; },
         [this](double size) {
             change(
-                [size](Template &one) {
-                    if (const double before = sizeOf(one); before > 0.0)
-                        one.scale *= size / before;
+                [size, this](Template &one) {
+                    if (Result<Template> sized =
+                            sizedInPlace(one, size, m_bench.session().committed()))
+                        one = *std::move(sized);
                 },
                 steps::kChangeTemplate);
         },

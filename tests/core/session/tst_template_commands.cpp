@@ -82,6 +82,7 @@ class TestTemplateCommands : public QObject
 private Q_SLOTS:
     void itStandsAsLargeAsToldTo();
     void whatIsLargerThanTheRoomIsMadeSmaller();
+    void itStaysOnTheGroundAsItIsSized();
     void itTurnsAboutWhereItStands();
     void suggestedSectionsAreOneStep();
     void facetsStandWhereTheMeshIs();
@@ -112,6 +113,28 @@ void TestTemplateCommands::whatIsLargerThanTheRoomIsMadeSmaller()
     QVERIFY(std::abs(bench.bounds().size().maxCoeff() - kTemplateSize) < 1e-6);
     QVERIFY(bench.add(house));
     QVERIFY(std::abs(bench.bounds().size().maxCoeff() - 10'000.0) < 1e-6);
+}
+
+/// A mesh that comes 254 mm large and is made 80 mm would hover 87 mm above the ground, were it
+/// sized about its middle.
+void TestTemplateCommands::itStaysOnTheGroundAsItIsSized()
+{
+    Bench bench;
+    QVERIFY(bench.add(bench.corner));
+    QVERIFY(bench.run("template.set", {{"x", "120"}, {"z", "-40"}}));
+    const Box3 before = bench.bounds();
+    for (const char *size : {"80", "600"}) {
+        QVERIFY(bench.run("template.set", {{"size", size}}));
+        const Box3 box = bench.bounds();
+        QVERIFY(std::abs(box.size().maxCoeff() - std::stod(size)) < 1e-6);
+        QVERIFY(std::abs(box.min.y()) < 1e-9);
+        const Vec3 moved = box.center() - before.center();
+        QVERIFY(std::hypot(moved.x(), moved.z()) < 1e-9);
+    }
+    // What does not stand there keeps its middle.
+    QVERIFY(bench.run("template.set", {{"y", "900"}}));
+    QVERIFY(bench.run("template.set", {{"size", "80"}}));
+    QVERIFY(std::abs(bench.bounds().center().y() - 900.0) < 1e-6);
 }
 
 void TestTemplateCommands::itTurnsAboutWhereItStands()

@@ -4,6 +4,7 @@
 
 #include "core/geometry/outlines.h"
 #include "core/templates/flat_template.h"
+#include "core/templates/moved_template.h"
 #include "core/templates/template_curves.h"
 #include "core/templates/template_picture.h"
 #include "tests/test_program.h"
@@ -149,12 +150,14 @@ void TestFlatTemplate::itIsAsLongAsTheLineSays()
 {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> place(-40.0, 40.0), length(1.0, 500.0);
-    const Template one =
-        turned(laidOn(pictureOf(drawn(200, 100, 0, 0, 1, 1)), StandardPlane::Side), 0.3);
+    Template one = turned(laidOn(pictureOf(drawn(200, 100, 0, 0, 1, 1)), StandardPlane::Side), 0.3);
+    one.frame.origin.y() += 500.0; // on the ground it would stay there instead
     for (int i = 0; i < 50; ++i) {
         const Vec2 from(place(random), place(random)), to(place(random), place(random));
         const double wanted = length(random);
-        const Template next = sizedByLine(one, from, to, wanted).value();
+        const Template next =
+            sizedByLine(one, one.frame.toWorld(from), one.frame.toWorld(to), wanted, Model())
+                .value();
         // The same places of the file, before and after.
         const auto inFile = [&](const Vec2 &p) {
             return one.placement().inverse()(one.frame.toWorld(p));
@@ -169,14 +172,15 @@ void TestFlatTemplate::linesThatSayNothing()
 {
     const Template one = pictureOf(drawn(200, 100, 0, 0, 1, 1));
     const auto placeOf = [&](const Vec2 &from, const Vec2 &to, double length) {
-        const Result<Template> next = sizedByLine(one, from, to, length);
+        const Result<Template> next =
+            sizedByLine(one, one.frame.toWorld(from), one.frame.toWorld(to), length, Model());
         return next ? std::string() : next.error().place;
     };
     QCOMPARE(placeOf({1, 1}, {1, 1}, 10.0), std::string("line"));
     QCOMPARE(placeOf({1, 1}, {std::nan(""), 1}, 10.0), std::string("line"));
     QCOMPARE(placeOf({0, 0}, {1, 0}, 0.0), std::string("length"));
     QCOMPARE(placeOf({0, 0}, {1, 0}, -5.0), std::string("length"));
-    QCOMPARE(placeOf({0, 0}, {1, 0}, 1e9), std::string("length"));
+    QCOMPARE(placeOf({0, 0}, {1, 0}, 1e9), std::string("size"));
     QCOMPARE(placeOf({0, 0}, {1, 0}, std::nan("")), std::string("length"));
 }
 
