@@ -82,6 +82,7 @@ target_sources(fff_core PRIVATE
     analysis/value_trials.cpp
     analysis/verdicts.cpp
     analysis/weak_place.cpp
+    analysis/suggesting/first_slices.cpp
     analysis/suggesting/form_samples.cpp
     analysis/suggesting/main_faces.cpp
     analysis/suggesting/point_buckets.cpp

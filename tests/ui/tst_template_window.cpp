@@ -2,7 +2,9 @@
 // one whole while the button is held.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/suggesting/first_slices.h"
 #include "core/model/template_edits.h"
+#include "core/operations/evaluate.h"
 #include "core/templates/moved_template.h"
 #include "core/templates/template_mesh.h"
 #include "core/templates/template_picture.h"
@@ -43,6 +45,7 @@ private Q_SLOTS:
     void theListHidesLocksAndRemoves();
     void turnedByNumbers();
     void itsSizeLeavesItOnTheGround();
+    void slicesAreThoseThatHold();
     void itsFileIsFoundLinkedAndKept();
     void suggestionsComeOneStepEach();
     void whatIsUndoneBehindAnotherTabEnds();
@@ -170,6 +173,27 @@ void TestTemplateWindow::itsSizeLeavesItOnTheGround()
     const Box3 box = worldBounds(ball(), *ball().mesh);
     QVERIFY(std::abs(box.size().y() - 80.0) < 0.1);
     QVERIFY(std::abs(box.min.y()) < 1e-6);
+}
+
+// Wrong: what one click makes cannot be made of anything.
+void TestTemplateWindow::slicesAreThoseThatHold()
+{
+    chooseBall();
+    const int before = steps();
+    push("templateSlices");
+    QCOMPARE(steps(), before + 1);
+    QCOMPARE(session().committed().document.operations.size(), std::size_t(1));
+    const Operation &made = *session().committed().document.operations.front();
+    QVERIFY(made.kind == "slices");
+    const Document alone = addTemplate(newDocument(), ball()).value();
+    const FirstSlices planes = firstSlices(evaluate(alone), alone.templates.front()->id).value();
+    const auto number = made.parameters.find("count");
+    QVERIFY(number == made.parameters.end() ? planes.count == FirstSlices().count
+                                            : std::get<double>(number->second) == planes.count);
+    const auto choice = made.parameters.find("direction");
+    QVERIFY(choice == made.parameters.end()
+                ? planes.direction == FirstSlices().direction
+                : std::get<std::string>(choice->second) == planes.direction);
 }
 
 // Wrong: a model that was sent without its mesh has no mesh ever again.

@@ -124,7 +124,7 @@ QWidget *TemplatesDock::makeFields()
     slices->setAutoDefault(false);
     connect(slices, &QPushButton::clicked, this, [this] {
         if (const Template *one = chosen())
-            m_bench.run(QStringLiteral("operation.slices"), {{"template", one->name}});
+            Q_EMIT slicesWanted(one->id);
     });
     m_slices = slices;
     column->addWidget(slices);

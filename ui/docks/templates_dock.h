@@ -41,6 +41,7 @@ public:
 
 Q_SIGNALS:
     void addWanted();
+    void slicesWanted(fff::TemplateId of);
     void suggestionWanted(fff::TemplateId of, int count);
     void oneMoreWanted(fff::TemplateId of);
     void anotherWanted();

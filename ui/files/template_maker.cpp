@@ -1,5 +1,6 @@
 #include "ui/files/template_maker.h"
 
+#include "core/analysis/suggesting/first_slices.h"
 #include "core/io/error_text.h"
 #include "core/session/flat_template_commands.h"
 #include "core/session/session.h"
@@ -33,6 +34,34 @@ TemplateMaker::State TemplateMaker::now() const
 TemplateMaker::State TemplateMaker::start(TemplateId of) const
 {
     return isNewest() && m_last->of == of ? m_last->first : now();
+}
+
+void TemplateMaker::slice(TemplateId of)
+{
+    const Model model = m_bench.session().committed();
+    const Template *one = model.document.find(of);
+    if (!one)
+        return;
+    std::stop_source stop;
+    const auto found = inBackground<Result<FirstSlices>>(
+        m_window, tr("Looking for planes…"), MayCancel::Yes, [model, of, token = stop.get_token()] {
+            return firstSlices(model, of, {token, {}});
+        });
+    if (!found) {
+        stop.request_stop();
+        return;
+    }
+    if (!m_bench.session().committed().document.isSame(model.document))
+        return;
+    const FirstSlices usual, planes = found->value_or(usual);
+    CommandParameters said{{"template", one->name}};
+    if (planes.direction != usual.direction)
+        said["direction"] = planes.direction;
+    if (planes.count != usual.count)
+        said["count"] = std::to_string(planes.count);
+    if (planes.shift != usual.shift)
+        said["shift"] = std::to_string(planes.shift);
+    m_bench.run(QStringLiteral("operation.slices"), said);
 }
 
 void TemplateMaker::suggest(TemplateId of, int count)

@@ -25,6 +25,8 @@ public:
 
     // Each does nothing where it is given up.
 
+    /// As the command, by the planes of a few that can be made.
+    void slice(TemplateId of);
     /// What was suggested before goes, as far as nothing else was done since.
     void suggest(TemplateId of, int count);
     /// To the sections that are there.

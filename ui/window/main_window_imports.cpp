@@ -60,6 +60,7 @@ void MainWindow::connectTemplates()
     auto *maker = new TemplateMaker(*this, *m_bench);
     connect(m_templates, &TemplatesDock::suggestionWanted, maker,
             qOverload<TemplateId, int>(&TemplateMaker::suggest));
+    connect(m_templates, &TemplatesDock::slicesWanted, maker, &TemplateMaker::slice);
     connect(m_templates, &TemplatesDock::oneMoreWanted, maker, &TemplateMaker::suggestOneMore);
     connect(m_templates, &TemplatesDock::anotherWanted, maker, &TemplateMaker::suggestAnother);
     connect(m_templates, &TemplatesDock::facetsWanted, maker, &TemplateMaker::makeFacets);

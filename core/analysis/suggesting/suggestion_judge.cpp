@@ -54,7 +54,7 @@ std::optional<SuggestionJudge::Faults> SuggestionJudge::faultsOf(const Document 
     Faults faults;
     faults.groups = heldGroups(analysis->bodies, analysis->assembly.joints, analysis->grips).size();
     faults.loosePieces = std::max(analysis->bodies.size(), sections) - sections;
-    if (faults.groups > std::max<std::size_t>(m_before.groups, 1) && document.sections.size() > 1)
+    if (faults.groups > std::max<std::size_t>(m_before.groups, 1) && sections > 1)
         return faults; // nobody needs to know more
     faults.findings = wrongAmong(checks(*analysis, m_checks, {}, {}, kJudges));
     if (faults.findings > m_before.findings)
@@ -138,6 +138,14 @@ SuggestionJudge::Verdict SuggestionJudge::take(const std::vector<NewSection> &se
         return Verdict::Refused;
     }
     return Verdict::Taken;
+}
+
+SuggestionJudge::Verdict SuggestionJudge::verdictOn(const Document &next)
+{
+    const std::optional<Faults> faults = faultsOf(next);
+    if (!faults || !faults->isNoMoreThan(m_before))
+        return Verdict::Refused;
+    return faults->thinWalls > m_before.thinWalls ? Verdict::Weak : Verdict::Taken;
 }
 
 /// Under its own weight.

@@ -33,6 +33,9 @@ public:
     /// are allowed; else everything stays as it was. Deterministic: the search for the order of
     /// assembly ends by a count, not by a clock.
     Verdict take(const std::vector<NewSection> &sections, bool allowsThinWalls);
+    /// Of this document as it is, by the same rules: Taken where it could be, Weak for thin walls
+    /// alone. Nothing is taken.
+    Verdict verdictOn(const Document &next);
 
 private:
     /// What is wrong, so far as suggestions can help it; nothing where it cannot be told.

@@ -2,6 +2,7 @@
 // and what is said where there are fewer than wanted.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/suggesting/first_slices.h"
 #include "core/analysis/suggesting/main_faces.h"
 #include "core/analysis/suggesting/suggested_ground.h"
 #include "core/analysis/suggesting/suggestion.h"
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void whatCannotBeCut();
     void asManyAsFit();
     void aBodyOfManyFlatFacesStands();
+    void slicesBeginWithPlanesThatHold();
     void stopped();
     void wrongUse();
 };
@@ -393,6 +395,41 @@ void TestSuggestion::aBodyOfManyFlatFacesStands()
     QVERIFY(made.sections.size() >= 4);
     for (const QString &fault : faultsOf(evaluate(made.document)))
         QVERIFY2(!isGrave(fault), qPrintable(fault));
+}
+
+/// A round vase, 120 mm high: six planes across X and six across Z block each other there, leave
+/// nothing beside slits and do not hold.
+void TestSuggestion::slicesBeginWithPlanesThatHold()
+{
+    std::vector<Vec2> profile{{0.0, 0.0}};
+    for (int z = 0; z <= 120; z += 4) {
+        const double up = z / 120.0;
+        profile.emplace_back(25.0 + 12.0 * std::sin(up * std::numbers::pi * 1.6 + 0.2) + 6.0 * up,
+                             z);
+    }
+    profile.emplace_back(0.0, 120.0);
+    const Document document = documentOf(revolved(profile, 64), 120.0);
+    const FirstSlices usual;
+    QVERIFY(!faultsOf(slicesOf(document, usual.direction, usual.count)).isEmpty());
+    const TemplateId of = document.templates.front()->id;
+    const FirstSlices found = firstSlices(evaluate(document), of).value();
+    QVERIFY(found.shift == 0.0);
+    QCOMPARE(faultsOf(slicesOf(document, found.direction, found.count)), QStringList());
+    // What is there already is another thing.
+    QVERIFY(firstSlices(slicesOf(document, "xz", 6), of).value() == found);
+    // Where the usual ones hold they are it, and where none does.
+    const Document cube = documentOf(box({0, 0, 0}, {100, 100, 100}), 150.0);
+    QVERIFY(firstSlices(evaluate(cube), cube.templates.front()->id).value() == usual);
+    const Document crumb = documentOf(box({0, 0, 0}, {1, 1, 1}), 4.0);
+    QVERIFY(firstSlices(evaluate(crumb), crumb.templates.front()->id).value() == usual);
+    QCOMPARE(firstSlices(evaluate(cube), TemplateId{999}).error().code,
+             ErrorCode::UnknownReference);
+    std::stop_source stop;
+    stop.request_stop();
+    QCOMPARE(firstSlices(evaluate(cube), cube.templates.front()->id, {stop.get_token(), {}})
+                 .error()
+                 .code,
+             ErrorCode::Cancelled);
 }
 
 void TestSuggestion::stopped()
