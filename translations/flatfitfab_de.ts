@@ -12181,6 +12181,11 @@
         <source>Pasted picture</source>
         <translation>Eingefügtes Bild</translation>
     </message>
+    <message>
+        <source>Scale it like %1</source>
+        <extracomment>a button; %1 is the name of a mesh</extracomment>
+        <translation>Im Maßstab von %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>

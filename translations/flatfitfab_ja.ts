@@ -12069,6 +12069,11 @@
         <source>Pasted picture</source>
         <translation>貼り付けた画像</translation>
     </message>
+    <message>
+        <source>Scale it like %1</source>
+        <extracomment>a button; %1 is the name of a mesh</extracomment>
+        <translation>%1 と同じ縮尺にする</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>

@@ -12293,6 +12293,11 @@
         <source>Pasted picture</source>
         <translation>Wklejony obraz</translation>
     </message>
+    <message>
+        <source>Scale it like %1</source>
+        <extracomment>a button; %1 is the name of a mesh</extracomment>
+        <translation>W skali %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>

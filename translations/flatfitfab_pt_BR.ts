@@ -12181,6 +12181,11 @@
         <source>Pasted picture</source>
         <translation>Imagem colada</translation>
     </message>
+    <message>
+        <source>Scale it like %1</source>
+        <extracomment>a button; %1 is the name of a mesh</extracomment>
+        <translation>Na escala de %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>

@@ -12069,6 +12069,11 @@
         <source>Pasted picture</source>
         <translation>粘贴的图片</translation>
     </message>
+    <message>
+        <source>Scale it like %1</source>
+        <extracomment>a button; %1 is the name of a mesh</extracomment>
+        <translation>按 %1 的比例</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>

@@ -13,6 +13,7 @@
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
+#include "ui/base/message_bar.h"
 #include "ui/view/flat_painter.h"
 
 #include <QDockWidget>
@@ -27,6 +28,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,6 +48,7 @@ private Q_SLOTS:
     void turnedByNumbers();
     void itsSizeLeavesItOnTheGround();
     void slicesAreThoseThatHold();
+    void anotherMeshMayHaveTheSameScale();
     void itsFileIsFoundLinkedAndKept();
     void suggestionsComeOneStepEach();
     void whatIsUndoneBehindAnotherTabEnds();
@@ -194,6 +197,37 @@ void TestTemplateWindow::slicesAreThoseThatHold()
     QVERIFY(choice == made.parameters.end()
                 ? planes.direction == FirstSlices().direction
                 : std::get<std::string>(choice->second) == planes.direction);
+}
+
+// Wrong: a cup and its saucer, which are two files without a unit, come equally large.
+void TestTemplateWindow::anotherMeshMayHaveTheSameScale()
+{
+    QTemporaryDir folder;
+    const auto write = [&](const QString &name, double radius) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(test::stlBytes(test::sphere(radius, 30, 40))));
+    };
+    write(QStringLiteral("large.stl"), 60.0);
+    write(QStringLiteral("small.stl"), 15.0);
+    const auto add = [&](const QString &name) {
+        chooseFile(folder.filePath(name));
+        push("templateAdd");
+    };
+    const auto *bar = m_window->findChild<MessageBar *>();
+    add(QStringLiteral("large.stl"));
+    QVERIFY(!bar->isVisible());
+    add(QStringLiteral("small.stl"));
+    QVERIFY(bar->isVisible());
+    const auto verbs = bar->findChildren<QPushButton *>();
+    const auto verb = std::find_if(verbs.begin(), verbs.end(), [](const QPushButton *one) {
+        return one->text() == QStringLiteral("Scale it like large");
+    });
+    QVERIFY(verb != verbs.end());
+    (*verb)->click();
+    const auto &all = session().committed().document.templates;
+    QVERIFY(std::abs(all[0]->scale - all[1]->scale) < 1e-9);
+    QVERIFY(std::abs(worldBounds(*all[1], *all[1]->mesh).min.y()) < 1e-6);
 }
 
 // Wrong: a model that was sent without its mesh has no mesh ever again.

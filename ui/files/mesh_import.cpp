@@ -1,9 +1,11 @@
 #include "ui/files/mesh_import.h"
 
+#include "core/base/tolerances.h"
 #include "core/io/error_text.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/template_file.h"
 #include "core/session/message_text.h"
+#include "core/session/session.h"
 #include "core/session/template_commands.h"
 #include "ui/base/lengths.h"
 #include "ui/bench/workbench.h"
@@ -14,6 +16,7 @@
 #include <QFileInfo>
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -62,6 +65,37 @@ std::optional<Result<io::LoadedTemplate>> readInBackground(QWidget &window, cons
     return loaded;
 }
 
+/// The last one besides of which nobody knows the unit either; null where there is none, or the two
+/// are at the same scale.
+TemplatePointer otherUnscaled(const Document &document, const Template &one)
+{
+    constexpr double kSame = 1e-9; // of a scale
+    for (auto other = document.templates.rbegin(); other != document.templates.rend(); ++other)
+        if ((*other)->id != one.id && (*other)->mesh && !(*other)->mesh->mesh->unit())
+            return std::abs((*other)->scale - one.scale) > kSame * one.scale ? *other : nullptr;
+    return nullptr;
+}
+
+/// What was drawn together may come in several files, and belongs together still.
+void offerScale(Workbench &bench, MeshImported &imported)
+{
+    const Document &document = bench.session().committed().document;
+    const TemplatePointer one = document.templates.back();
+    const TemplatePointer other = otherUnscaled(document, *one);
+    if (!other)
+        return;
+    const double size = other->scale * one->mesh->mesh->size();
+    if (!(size <= kMaxCoordinate))
+        return;
+    //: a button; %1 is the name of a mesh
+    imported.likeOther = MeshTexts::tr("Scale it like %1").arg(QString::fromStdString(other->name));
+    imported.takeScale = [&bench, name = one->name, size] {
+        bench.run(QStringLiteral("template.set"),
+                  {{"template", name}, {"size", QString::number(size, 'g', 17).toStdString()}});
+        bench.run(QStringLiteral("view.fitAll"));
+    };
+}
+
 MeshImported importTemplate(QWidget &window, Workbench &bench, const QString &name,
                             ReadTemplate read)
 {
@@ -69,13 +103,13 @@ MeshImported importTemplate(QWidget &window, Workbench &bench, const QString &na
     if (!loaded)
         return {};
     if (!*loaded)
-        return {false, io::errorText(loaded->error()), {}, {}};
+        return {.error = io::errorText(loaded->error())};
     auto added = addedTemplate(bench.session().committed().document, **loaded);
     if (!added)
-        return {false, io::errorText(added.error()), {}, {}};
+        return {.error = io::errorText(added.error())};
     bench.editSections(*std::move(added));
     const Template &made = (*loaded)->made;
-    MeshImported imported{true, {}, remarksOf((*loaded)->messages), {}};
+    MeshImported imported{.isAdded = true, .remarks = remarksOf((*loaded)->messages)};
     if (!made.mesh)
         return imported;
     const QString size = lengthText(made.scale * made.mesh->mesh->size(), 1, 1, QLocale());
@@ -89,6 +123,8 @@ MeshImported importTemplate(QWidget &window, Workbench &bench, const QString &na
         imported.sized = MeshTexts::tr("%1 knows no unit, so it was made %2 large. Templates has "
                                        "its size.")
                              .arg(name, size);
+    if (!made.mesh->mesh->unit())
+        offerScale(bench, imported);
     return imported;
 }
 
@@ -128,12 +164,12 @@ MeshImported refillTemplate(QWidget &window, Workbench &bench, TemplateId id, co
     if (!loaded)
         return {};
     if (!*loaded)
-        return {false, io::errorText(loaded->error()), {}, {}};
+        return {.error = io::errorText(loaded->error())};
     auto refilled = refilledTemplate(bench.session().committed().document, id, **loaded);
     if (!refilled)
-        return {false, io::errorText(refilled.error()), {}, {}};
+        return {.error = io::errorText(refilled.error())};
     bench.editSections(*std::move(refilled));
-    return {true, {}, remarksOf((*loaded)->messages), {}};
+    return {.isAdded = true, .remarks = remarksOf((*loaded)->messages)};
 }
 
 MeshImported importPicture(QWidget &window, Workbench &bench, const ClipboardPicture &picture)

@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <functional>
+
 class QWidget;
 
 namespace fff::ui {
@@ -21,9 +23,13 @@ bool isMeshFile(const QString &path);
 struct MeshImported
 {
     bool isAdded = false;
-    QString error;   // it was not read
-    QString remarks; // what was mended in it
-    QString sized;   // what size it was given, where its file knows no unit
+    QString error = {};   // it was not read
+    QString remarks = {}; // what was mended in it
+    QString sized = {};   // what size it was given, where its file knows no unit
+    /// Where another such mesh is there, at another scale: what it would be to have the same, for
+    /// those that belong together.
+    QString likeOther = {};
+    std::function<void()> takeScale = {};
 };
 /// Does nothing where it is given up.
 MeshImported importMesh(QWidget &window, Workbench &bench, const QString &path);

@@ -143,7 +143,10 @@ void MainWindow::tellImported(const MeshImported &imported)
         return;
     if (!imported.remarks.isEmpty())
         m_messages->show(MessageBar::Severity::Warning, {imported.remarks});
-    if (!imported.sized.isEmpty())
+    if (imported.takeScale && imported.remarks.isEmpty())
+        m_messages->show(MessageBar::Severity::Info, {imported.sized},
+                         {{imported.likeOther, imported.takeScale}});
+    else if (!imported.sized.isEmpty())
         m_status->say(imported.sized);
     m_layout->show(m_templates);
     m_bench->run(QStringLiteral("view.fitAll"));
