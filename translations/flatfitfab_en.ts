@@ -343,13 +343,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n edge has no fingers: its sheets meet too flat or too sharply, or it is too short.</numerusform>
-            <numerusform>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 has %n outlines, which is too many: trace it coarser, or smooth it first.</source>
         <extracomment>%1 is the name of a template</extracomment>
         <translation>
@@ -378,6 +371,13 @@
         <translation>
             <numerusform>%n preset that sets nothing else is gone with it.</numerusform>
             <numerusform>%n presets that set nothing else are gone with it.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

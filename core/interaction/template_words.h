@@ -62,7 +62,7 @@ inline constexpr Text kLineLength =
 
 inline constexpr Text kBareEdges = FFF_TEXT_OF_MANY(
     "Hint", "%n edges have no fingers: their sheets meet too flat or too sharply, or are too short "
-            "there.");
+            "there. Fewer faces help, or slices instead.");
 //: %1 is the name of a template
 inline constexpr Text kTooSmallForFacets =
     FFF_TEXT("Hint", "No flat piece of %1 is large enough for a section: make it larger first.");
