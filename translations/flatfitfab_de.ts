@@ -5093,6 +5093,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>der Umriss ist offen: seine Enden liegen %1 mm auseinander</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>Koordinaten bis 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6021,13 +6025,6 @@
         <source>%1 was drawn beside its slit: it was given a neck, and cut flat at the ground.</source>
         <translation>%1 wurde neben ihrem Schlitz gezeichnet: Sie bekam einen Steg und wurde am Boden eben abgeschnitten.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n Kante hat keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie ist zu kurz.</numerusform>
-            <numerusform>%n Kanten haben keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie sind zu kurz.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6223,6 +6220,13 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Zuerst eine Scheibe zeichnen: Noch ist nichts da, was sich wiederholen oder teilen lässt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n Kante hat keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie ist zu kurz. Weniger Flächen helfen, oder stattdessen Schnitte.</numerusform>
+            <numerusform>%n Kanten haben keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie sind zu kurz. Weniger Flächen helfen, oder stattdessen Schnitte.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16101,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Wähle zuerst die Scheibe aus, die graviert werden soll, oder lege die Zeichnung darauf.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Ebenen werden gesucht…</translation>
     </message>
 </context>
 <context>

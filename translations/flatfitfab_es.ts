@@ -5093,6 +5093,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>el contorno está abierto: sus extremos distan %1 mm</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>coordenadas de hasta 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6055,13 +6059,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Escribe cuánto mide; &lt;kbd&gt;Intro&lt;/kbd&gt; da ese tamaño a %1. &lt;kbd&gt;Esc&lt;/kbd&gt; borra la línea.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n borde no tiene dientes: sus planchas se encuentran con un ángulo demasiado abierto o cerrado, o es demasiado corto.</numerusform>
-            <numerusform>%n bordes no tienen dientes: sus planchas se encuentran con un ángulo demasiado abierto o cerrado, o son demasiado cortos.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6223,6 +6220,13 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Dibuja primero una sección: todavía no hay nada que repetir ni dividir.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n borde no tiene dientes: sus planchas se encuentran con un ángulo demasiado abierto o cerrado, o es demasiado corto. Ayudan menos caras, o rebanadas en su lugar.</numerusform>
+            <numerusform>%n bordes no tienen dientes: sus planchas se encuentran con un ángulo demasiado abierto o cerrado, o son demasiado cortos. Ayudan menos caras, o rebanadas en su lugar.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16101,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Selecciona primero la sección que se va a grabar o coloca el dibujo sobre ella.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Buscando planos…</translation>
     </message>
 </context>
 <context>

@@ -5093,6 +5093,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>le contour est ouvert : ses extrémités sont à %1 mm l’une de l’autre</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>des coordonnées jusqu’à 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6055,13 +6059,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Tapez cette longueur&#x202f;; &lt;kbd&gt;Entrée&lt;/kbd&gt; donne cette taille à %1. &lt;kbd&gt;Échap&lt;/kbd&gt; efface la ligne.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n arête n’a pas de créneaux&#xa0;: ses plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elle est trop courte.</numerusform>
-            <numerusform>%n arêtes n’ont pas de créneaux&#xa0;: leurs plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elles sont trop courtes.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6223,6 +6220,13 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Dessinez d’abord une section : il n’y a encore rien à répéter ni à diviser.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n arête n’a pas de créneaux : ses plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elle est trop courte. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
+            <numerusform>%n arêtes n’ont pas de créneaux : leurs plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elles sont trop courtes. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16101,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Sélectionnez d’abord la section à graver, ou posez le dessin dessus.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Recherche de plans…</translation>
     </message>
 </context>
 <context>

@@ -5093,6 +5093,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>la sagoma è aperta: i suoi estremi distano %1 mm</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>coordinate fino a 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6055,13 +6059,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Scrivi quanto è lungo; &lt;kbd&gt;Invio&lt;/kbd&gt; porta %1 a quella misura. &lt;kbd&gt;Esc&lt;/kbd&gt; cancella la linea.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n bordo non ha denti: lì le lastre si incontrano con un angolo troppo piatto o troppo acuto, o è troppo corto.</numerusform>
-            <numerusform>%n bordi non hanno denti: lì le lastre si incontrano con un angolo troppo piatto o troppo acuto, o sono troppo corti.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6223,6 +6220,13 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Disegna prima una sezione: non c’è ancora nulla da ripetere o dividere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n bordo non ha denti: lì le lastre si incontrano con un angolo troppo piatto o troppo acuto, o è troppo corto. Servono meno facce, oppure delle fette.</numerusform>
+            <numerusform>%n bordi non hanno denti: lì le lastre si incontrano con un angolo troppo piatto o troppo acuto, o sono troppo corti. Servono meno facce, oppure delle fette.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16101,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Seleziona prima la sezione da incidere, oppure appoggiaci sopra il disegno.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Ricerca di piani…</translation>
     </message>
 </context>
 <context>

@@ -5053,6 +5053,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>輪郭線が開いています: 両端が %1 mm 離れています</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>1e12 までの座標</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6009,12 +6013,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>その長さを入力してください。&lt;kbd&gt;Enter&lt;/kbd&gt; で %1 をその大きさにします。&lt;kbd&gt;Esc&lt;/kbd&gt; で線を消します。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n 本の辺にフィンガーがありません: 板の交わる角度が浅すぎるか鋭すぎる、または辺が短すぎます。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6172,6 +6170,12 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>まず板を描いてください: 繰り返したり分けたりするものがまだありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n 本の辺にフィンガーがありません: 板の交わる角度が浅すぎるか鋭すぎる、または辺が短すぎます。面の数を減らすか、スライスを使ってください。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15960,6 +15964,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>先に彫刻する板を選択するか、図面をその板の上に置いてください。</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>平面を探しています…</translation>
     </message>
 </context>
 <context>

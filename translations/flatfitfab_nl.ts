@@ -5093,6 +5093,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>de omtrek is open: de uiteinden liggen %1 mm uit elkaar</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>coördinaten tot 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6055,13 +6059,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Typ hoe lang dat is; &lt;kbd&gt;Enter&lt;/kbd&gt; maakt %1 zo groot. &lt;kbd&gt;Esc&lt;/kbd&gt; wist de lijn.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n rand heeft geen vingers: de platen komen daar te vlak of te scherp samen, of de rand is te kort.</numerusform>
-            <numerusform>%n randen hebben geen vingers: de platen komen daar te vlak of te scherp samen, of de randen zijn te kort.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6223,6 +6220,13 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Teken eerst een sectie: er is nog niets om te herhalen of te verdelen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n rand heeft geen vingers: de platen komen daar te vlak of te scherp samen, of de rand is te kort. Minder vlakken helpen, of in plaats daarvan schijven.</numerusform>
+            <numerusform>%n randen hebben geen vingers: de platen komen daar te vlak of te scherp samen, of de randen zijn te kort. Minder vlakken helpen, of in plaats daarvan schijven.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16101,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Selecteer eerst de sectie die gegraveerd wordt, of leg de tekening erop.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Vlakken zoeken…</translation>
     </message>
 </context>
 <context>

@@ -5133,6 +5133,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>obrys jest otwarty: jego końce są oddalone o %1 mm</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>współrzędne do 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6101,14 +6105,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Wpisz, jakie to długie; &lt;kbd&gt;Enter&lt;/kbd&gt; nada „%1” taki rozmiar. &lt;kbd&gt;Esc&lt;/kbd&gt; usuwa linię.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n krawędź nie ma wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo jest za krótka.</numerusform>
-            <numerusform>%n krawędzie nie mają wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo są za krótkie.</numerusform>
-            <numerusform>%n krawędzi nie ma wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo są za krótkie.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6274,6 +6270,14 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Najpierw narysuj płytkę: nie ma jeszcze czego powtarzać ani dzielić.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n krawędź nie ma wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo jest za krótka. Pomoże mniej ścian albo plastry.</numerusform>
+            <numerusform>%n krawędzie nie mają wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo są za krótkie. Pomoże mniej ścian albo plastry.</numerusform>
+            <numerusform>%n krawędzi nie ma wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo są za krótkie. Pomoże mniej ścian albo plastry.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16234,6 +16238,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Najpierw zaznacz płytkę do grawerowania albo połóż na niej rysunek.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Szukanie płaszczyzn…</translation>
     </message>
 </context>
 <context>

@@ -5093,6 +5093,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>o contorno está aberto: suas pontas estão a %1 mm uma da outra</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>coordenadas de até 1e12</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6055,13 +6059,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>Digite quanto isso mede; &lt;kbd&gt;Enter&lt;/kbd&gt; deixa %1 desse tamanho. &lt;kbd&gt;Esc&lt;/kbd&gt; apaga a linha.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n borda não tem dedos: as chapas se encontram em ângulo muito aberto ou muito fechado, ou ela é curta demais ali.</numerusform>
-            <numerusform>%n bordas não têm dedos: as chapas se encontram em ângulo muito aberto ou muito fechado, ou elas são curtas demais ali.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6223,6 +6220,13 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>Desenhe primeiro uma seção: ainda não há nada para repetir ou dividir.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n borda não tem dedos: as chapas se encontram em ângulo muito aberto ou muito fechado, ou ela é curta demais ali. Menos faces ajudam, ou então fatias.</numerusform>
+            <numerusform>%n bordas não têm dedos: as chapas se encontram em ângulo muito aberto ou muito fechado, ou elas são curtas demais ali. Menos faces ajudam, ou então fatias.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -16097,6 +16101,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>Selecione primeiro a seção a gravar ou coloque o desenho sobre ela.</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>Procurando planos…</translation>
     </message>
 </context>
 <context>

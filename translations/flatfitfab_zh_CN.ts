@@ -5053,6 +5053,10 @@
         <source>the outline is open: its ends are %1 mm apart</source>
         <translation>轮廓线没有闭合：两端相距 %1 mm</translation>
     </message>
+    <message>
+        <source>coordinates up to 1e12</source>
+        <translation>不超过 1e12 的坐标</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -6009,12 +6013,6 @@
         <extracomment>%1 is the name of a template</extracomment>
         <translation>输入它有多长；&lt;kbd&gt;Enter&lt;/kbd&gt; 让 %1 变成那么大。&lt;kbd&gt;Esc&lt;/kbd&gt; 清除这条线。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there.</source>
-        <translation>
-            <numerusform>%n 条边没有指接：那里的板材相交得太平或太尖，或者太短。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>No flat piece of %1 is large enough for a section: make it larger first.</source>
         <extracomment>%1 is the name of a template</extracomment>
@@ -6172,6 +6170,12 @@
     <message>
         <source>Draw a section first: there is nothing to repeat or divide yet.</source>
         <translation>请先画一个插片：还没有可重复或可分割的东西。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
+        <translation>
+            <numerusform>%n 条边没有指接：那里的板材相交得太平或太尖，或者太短。减少面数会有帮助，或改用切片。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15960,6 +15964,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Select the section to engrave first, or lay the drawing on it.</source>
         <translation>请先选中要雕刻的插片，或把图放在它上面。</translation>
+    </message>
+    <message>
+        <source>Looking for planes…</source>
+        <translation>正在寻找平面…</translation>
     </message>
 </context>
 <context>
