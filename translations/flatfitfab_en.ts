@@ -375,9 +375,9 @@
     </message>
     <message numerus="yes">
         <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n edge has no fingers: its sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</numerusform>
+            <numerusform>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</numerusform>
         </translation>
     </message>
 </context>
