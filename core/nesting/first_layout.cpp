@@ -1,6 +1,7 @@
 #include "core/nesting/first_layout.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/turning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -202,8 +203,10 @@ double usedLength(const Prepared &prepared, const Laid &laid)
     for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
         const Shape &shape = prepared.shapes[static_cast<std::size_t>(sheet.pieces[i])];
         const Pose &pose = sheet.poses[i];
-        right = std::max(right, pose.at.x() +
-                                    shape.turns[static_cast<std::size_t>(pose.turn)].box.max.x());
+        const Box2 box = pose.turn == Pose::kFree
+                             ? turnedBounds(shape.outline.outer, pose.direction)
+                             : shape.turns[static_cast<std::size_t>(pose.turn)].box;
+        right = std::max(right, pose.at.x() + box.max.x());
     }
     return right - left;
 }

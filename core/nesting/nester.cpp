@@ -127,11 +127,16 @@ Solution nestPieces(const Problem &problem, const Options &options, const LongWo
     Laid first = firstLayout(prepared, problem, steps);
     Solution solution = solutionOf(problem, prepared, first);
     if (const std::optional<Laid> lay = laidAs(before, problem, prepared)) {
-        std::optional<Laid> apart = takenApart(prepared, *lay, options.seed, longWork.stop, steps);
-        if (apart && !isBetter(prepared, first, *apart)) {
-            Solution again = solutionOf(problem, prepared, *apart);
-            if (!faultOf(problem, again)) {
-                first = *std::move(apart);
+        const bool isSound = !faultOf(problem, before);
+        std::optional<Laid> begun =
+            isSound ? lay : takenApart(prepared, *lay, options.seed, longWork.stop, steps);
+        if (begun && !isBetter(prepared, first, *begun)) {
+            // What is sound stays to the last bit.
+            Solution again = isSound ? before : solutionOf(problem, prepared, *begun);
+            again.length = usedEnd(problem, again);
+            again.density = densityOf(problem, again);
+            if (isSound || !faultOf(problem, again)) {
+                first = *std::move(begun);
                 solution = std::move(again);
             }
         }

@@ -16,6 +16,7 @@ constexpr double kExploringShare = 0.8;
 constexpr std::size_t kMostItems = 250;
 /// Of work at most that what lay before is taken apart for.
 constexpr double kSecondsApart = 0.5;
+constexpr double kMoreLength = 1.03;
 
 /// Some sheets of a layout, as one search has them.
 struct Group
@@ -219,6 +220,11 @@ std::optional<Laid> takenApart(Prepared &prepared, const Laid &laid, std::uint64
     std::iota(sheets.begin(), sheets.end(), std::size_t{0});
     const Group group = groupOf(prepared, laid, sheets);
     Board board(prepared.shapes, group.ground.sheets, group.items.size());
+    // Hardly more of the last sheet than was used: nothing is to be strewn over the rest.
+    std::vector<Box2> room = group.ground.sheets;
+    room.back().max.x() =
+        std::min(room.back().max.x(), room.back().min.x() + kMoreLength * group.start.length);
+    board.setSheets(room);
     for (std::size_t i = 0; i < group.items.size(); ++i)
         board.add(group.items[i], group.start.poses[i]);
     for (const Ground::Obstacle &obstacle : group.ground.obstacles)
