@@ -43,7 +43,7 @@ struct PlaneCut
 /// Loops run counter-clockwise seen from the normal's tip, holes clockwise. A hole is what the mesh
 /// runs around that way, in another loop; where its triangles do not agree, what lies in an odd
 /// number of loops. Of meshes that cross themselves, or have shells in each other, they bound all
-/// that the mesh winds round (non-zero): no two loops have material in common.
+/// that the mesh winds round (non-zero): no two loops without bridges have material in common.
 ///
 /// A plane on which faces lie touches two cuts, that just above and that just below it; the larger
 /// one is taken, so that a mesh that stands on the plane has its footprint, and a plane that is

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace fff {
@@ -34,9 +34,6 @@ public:
             Polygon points;
             for (const Vec3 &p : loop.points)
                 points.push_back(m_scale * (frame.toLocal(p) - m_origin));
-            for (const CutLoop::Bridge &bridge : loop.bridges)
-                for (std::size_t k = 0; k <= bridge.chords; ++k)
-                    m_bridged.insert(placeOf(points[(bridge.from + k) % points.size()]));
             m_loops.push_back(std::move(points));
         }
     }
@@ -44,31 +41,24 @@ public:
     bool isPossible() const { return std::isfinite(m_scale) && m_scale > 0.0; }
     bool isNeeded(const std::vector<CutLoop> &loops) const
     {
-        // Where guesses meet they say nothing of what is inside, and would take away what is known.
-        std::vector<Polygon> guessed;
-        for (std::size_t i = 0; i < loops.size(); ++i)
-            if (!loops[i].isClosed())
-                guessed.push_back(m_loops[i]);
-        return !meetSomewhere(guessed) && (meetSomewhere(m_loops) || isAnyInMaterial(loops));
+        return meetSomewhere() || isAnyInMaterial(loops);
     }
     std::optional<std::vector<CutLoop>> united() const;
 
 private:
-    static std::vector<Contour> contours(const std::vector<Polygon> &loops)
+    std::vector<Contour> contours() const
     {
         std::vector<Contour> all;
-        for (const Polygon &points : loops)
+        for (const Polygon &points : m_loops)
             all.push_back(Contour::ofPolygon(points));
         return all;
     }
-    static bool meetSomewhere(const std::vector<Polygon> &loops)
+    bool meetSomewhere() const
     {
-        if (std::any_of(loops.begin(), loops.end(),
+        if (std::any_of(m_loops.begin(), m_loops.end(),
                         [](const Polygon &points) { return points.size() < 3; }))
             return true;
-        if (loops.empty())
-            return false;
-        std::vector<Contour> all = contours(loops);
+        std::vector<Contour> all = contours();
         const Contour first = std::move(all.front());
         all.erase(all.begin());
         return !isPlain(first, all, kNoChord);
@@ -84,21 +74,17 @@ private:
                 if (boxes[k].contains(point) && locate(point, m_loops[k]) == Side::Inside)
                     winding += loops[k].isHole ? -1 : 1;
             boxes.push_back(bounds(m_loops[i]));
-            if (winding != (loops[i].isHole ? 1 : 0))
+            if (winding > (loops[i].isHole ? 1 : 0))
                 return true;
         }
         return false;
     }
     CutLoop loopOf(const Polygon &points, bool isHole) const;
 
-    using Place = std::pair<double, double>;
-    static Place placeOf(const Vec2 &p) { return {p.x(), p.y()}; }
-
     const Frame &m_frame;
     Vec2 m_origin = Vec2::Zero();
     double m_scale = 0.0;
     std::vector<Polygon> m_loops;
-    std::set<Place> m_bridged; // points between which bridges run
 };
 
 CutLoop LoopUnion::loopOf(const Polygon &points, bool isHole) const
@@ -109,23 +95,13 @@ CutLoop LoopUnion::loopOf(const Polygon &points, bool isHole) const
     for (const Vec2 &p : points)
         loop.points.push_back(m_frame.toWorld(p / m_scale + m_origin));
     loop.area = std::abs(signedArea(points)) / (m_scale * m_scale);
-    const std::size_t count = points.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!m_bridged.contains(placeOf(points[i])) ||
-            !m_bridged.contains(placeOf(points[(i + 1) % count])))
-            continue;
-        if (!loop.bridges.empty() && loop.bridges.back().from + loop.bridges.back().chords == i)
-            ++loop.bridges.back().chords;
-        else
-            loop.bridges.push_back({i, 1});
-    }
     return loop;
 }
 
 std::optional<std::vector<CutLoop>> LoopUnion::united() const
 {
     const Result<std::vector<CurvedRegion>> regions =
-        windingRegions(contours(m_loops), WindingRule::NonZero, kNoChord);
+        windingRegions(contours(), WindingRule::NonZero, kNoChord);
     if (!regions || regions->empty())
         return std::nullopt; // chords there and back, say, which enclose nothing
     std::vector<CutLoop> all;
@@ -134,8 +110,6 @@ std::optional<std::vector<CutLoop>> LoopUnion::united() const
         for (const Contour &hole : region.holes)
             all.push_back(loopOf(hole.polygon(kNoChord), true));
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const CutLoop &a, const CutLoop &b) { return a.area > b.area; });
     return all;
 }
 
@@ -143,13 +117,25 @@ std::optional<std::vector<CutLoop>> LoopUnion::united() const
 
 void uniteLoops(std::vector<CutLoop> &loops, const Frame &frame)
 {
-    if (loops.empty())
-        return;
-    const LoopUnion both(loops, frame);
-    if (!both.isPossible() || !both.isNeeded(loops))
-        return;
-    if (std::optional<std::vector<CutLoop>> united = both.united())
-        loops = *std::move(united);
+    // What was guessed says little of what is inside: it would take away what is known.
+    const auto bridged = std::stable_partition(loops.begin(), loops.end(),
+                                               [](const CutLoop &loop) { return loop.isClosed(); });
+    std::vector<CutLoop> closed(loops.begin(), bridged);
+    // And a hole may be one in such a loop.
+    const bool isKnown =
+        bridged == loops.end() ||
+        std::none_of(closed.begin(), closed.end(), [](const CutLoop &loop) { return loop.isHole; });
+    if (!closed.empty() && isKnown) {
+        const LoopUnion all(closed, frame);
+        if (all.isPossible() && all.isNeeded(closed))
+            if (std::optional<std::vector<CutLoop>> united = all.united())
+                closed = *std::move(united);
+    }
+    closed.insert(closed.end(), std::make_move_iterator(bridged),
+                  std::make_move_iterator(loops.end()));
+    std::stable_sort(closed.begin(), closed.end(),
+                     [](const CutLoop &a, const CutLoop &b) { return a.area > b.area; });
+    loops = std::move(closed);
 }
 
 } // namespace fff

@@ -6,11 +6,10 @@
 
 namespace fff {
 
-/// Where loops, oriented as nestLoops() leaves them, cross or touch themselves or each other, or
-/// one lies in what another encloses anyway: the boundary of all that they wind round instead, with
-/// no loop in another one's material. Else they stay as they are, bit for bit, and so they do where
-/// loops with bridges meet themselves or each other. What closed a gap stays a bridge so far as it
-/// bounds anything still.
+/// Where loops, oriented as nestLoops() leaves them and without bridges, cross or touch themselves
+/// or each other, or one lies in what another encloses anyway: the boundary of all that they wind
+/// round instead, with no loop in another one's material. Else they stay as they are, bit for bit;
+/// and so do loops with bridges, and with such ones all where there are holes. Largest first.
 ///
 /// frame  on the plane
 /// Cost   O(points · log points), and that of the union where there is one
