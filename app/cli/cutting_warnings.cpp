@@ -3,6 +3,7 @@
 #include "app/cli/all_found.h"
 #include "app/cli/info.h"
 #include "app/cli/terminal.h"
+#include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/findings/of_sections.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/mends.h"
@@ -18,7 +19,7 @@ namespace {
 bool isWarning(const Finding &finding)
 {
     return (finding.severity >= Severity::Warning || finding.severity == Severity::Unknown) &&
-           !finding.is(kTooLarge) && !finding.is(kFitsSheet);
+           !finding.is(kTooLarge) && !finding.is(kFitsSheet) && !finding.is(kFewSheets);
 }
 
 QString textOf(const FindingRow &row, const Model &model)

@@ -1,4 +1,6 @@
 // Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
 #include "core/base/units.h"
 #include "core/interaction/snapping.h"
 #include "core/model/symmetric_section.h"
@@ -13,7 +15,6 @@
 
 #include <QGuiApplication>
 #include <QImage>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>
