@@ -16095,11 +16095,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Wird abgewickelt …</translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>Wähle zuerst die Scheibe aus, in die Löcher sollen, oder lege die Zeichnung darauf.</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>Wähle zuerst die Scheibe aus, die graviert werden soll, oder lege die Zeichnung darauf.</translation>
     </message>
     <message>

@@ -6224,8 +6224,8 @@
     <message numerus="yes">
         <source>%n edges have no fingers: their sheets meet too flat or too sharply, or are too short there. Fewer faces help, or slices instead.</source>
         <translation>
-            <numerusform>%n arête n’a pas de créneaux : ses plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elle est trop courte. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
-            <numerusform>%n arêtes n’ont pas de créneaux : leurs plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elles sont trop courtes. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
+            <numerusform>%n arête n’a pas de créneaux&#xa0;: ses plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elle est trop courte. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
+            <numerusform>%n arêtes n’ont pas de créneaux&#xa0;: leurs plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elles sont trop courtes. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
         </translation>
     </message>
 </context>
@@ -16095,11 +16095,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>Sélectionnez d’abord la section à percer, ou posez le dessin dessus.</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>Sélectionnez d’abord la section à graver, ou posez le dessin dessus.</translation>
     </message>
     <message>

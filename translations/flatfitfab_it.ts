@@ -16095,11 +16095,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>Seleziona prima la sezione in cui tagliare i fori, oppure appoggiaci sopra il disegno.</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>Seleziona prima la sezione da incidere, oppure appoggiaci sopra il disegno.</translation>
     </message>
     <message>

@@ -16095,11 +16095,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>Selecteer eerst de sectie waarin gaten komen, of leg de tekening erop.</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>Selecteer eerst de sectie die gegraveerd wordt, of leg de tekening erop.</translation>
     </message>
     <message>

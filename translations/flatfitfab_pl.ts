@@ -16232,11 +16232,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>Najpierw zaznacz płytkę, w której mają być otwory, albo połóż na niej rysunek.</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>Najpierw zaznacz płytkę do grawerowania albo połóż na niej rysunek.</translation>
     </message>
     <message>

@@ -16095,11 +16095,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>Selecione primeiro a seção em que cortar furos ou coloque o desenho sobre ela.</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>Selecione primeiro a seção a gravar ou coloque o desenho sobre ela.</translation>
     </message>
     <message>

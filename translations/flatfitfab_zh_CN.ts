@@ -15958,11 +15958,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>Select the section to cut holes in first, or lay the drawing on it.</source>
+        <source>Select the section to cut holes in first, or place the drawing on it.</source>
         <translation>请先选中要切孔的插片，或把图放在它上面。</translation>
     </message>
     <message>
-        <source>Select the section to engrave first, or lay the drawing on it.</source>
+        <source>Select the section to engrave first, or place the drawing on it.</source>
         <translation>请先选中要雕刻的插片，或把图放在它上面。</translation>
     </message>
     <message>

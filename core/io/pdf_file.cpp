@@ -101,10 +101,11 @@ void PdfPage::pen(std::uint32_t colour, double width)
     m_out << "RG " << pdfNumber(width, kPenDecimals) << " w\n";
 }
 
-void PdfPage::dashes(double length)
+void PdfPage::dashes(double length, double begun)
 {
     if (length > 0.0)
-        m_out << "[" << length << "] 0 d\n";
+        // Both told: some readers take a single length for all of the pattern where it is begun.
+        m_out << "[" << length << ' ' << length << "] " << begun << " d\n";
     else
         m_out << "[] 0 d\n";
 }

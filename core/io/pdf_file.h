@@ -22,7 +22,8 @@ public:
     /// Of the strokes that follow. colour  0xRRGGBB; width  mm
     void pen(std::uint32_t colour, double width);
     /// Strokes that follow are broken, dash and gap of this length, mm; 0: they are not.
-    void dashes(double length);
+    /// begun  mm of dash and gap that lie before the first one's start
+    void dashes(double length, double begun = 0.0);
     /// What is drawn until the end of it is moved by this, and seen within the box alone, which is
     /// in the page's own coordinates.
     void beginClip(const Vec2 &corner, const Vec2 &size, const Vec2 &shift);

@@ -9,6 +9,8 @@
 #include <QtCore/QCoreApplication>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace fff::io {
@@ -94,23 +96,39 @@ void addSeams(const PdfTiles &tiles, const PdfTile &tile, PdfPage &page)
     if (tile.row + 1 < tiles.rows)
         along.push_back(low.y() + kHalf);
     page.pen(kGrey, kHairline);
-    page.dashes(kDash);
+    // On the sheet dashes lie where the neighbour has them.
+    const auto begun = [](double corner) {
+        return corner - 2.0 * kDash * std::floor(corner / (2.0 * kDash));
+    };
+    page.dashes(kDash, begun(tile.corner.y()));
     for (const double x : across)
         page.edge({x, low.y()}, {x, high.y()});
+    page.dashes(kDash, begun(tile.corner.x()));
     for (const double y : along)
         page.edge({low.x(), y}, {high.x(), y});
     page.dashes(0.0);
-    // A cross in the middle of each seam, where its neighbour has it.
+    // Crop marks at the ends of each seam and a cross in its middle, where its neighbour has them.
     page.pen(kBlack, kHairline);
     const Vec2 middle = 0.5 * (low + high);
     const auto cross = [&page](const Vec2 &p) {
         page.edge(p - Vec2(kCross, 0.0), p + Vec2(kCross, 0.0));
         page.edge(p - Vec2(0.0, kCross), p + Vec2(0.0, kCross));
     };
-    for (const double x : across)
+    // Where they begin; at both ends of what neighbours share, so that they have the same.
+    const auto marks = [&](int axis) {
+        return std::array<double, 4>{low[axis], low[axis] + kPaperOverlap - kCross,
+                                     high[axis] - kPaperOverlap, high[axis] - kCross};
+    };
+    for (const double x : across) {
         cross({x, middle.y()});
-    for (const double y : along)
+        for (const double y : marks(1))
+            page.edge({x, y}, {x, y + kCross});
+    }
+    for (const double y : along) {
         cross({middle.x(), y});
+        for (const double x : marks(0))
+            page.edge({x, y}, {x + kCross, y});
+    }
 }
 
 /// Under what is drawn, where printers still print.

@@ -152,7 +152,11 @@ void TestFaults::neverAWrongFile()
                                    run.out.isEmpty() && (output.isEmpty() || !run.hasWritten());
             const bool isAnswered = output.isEmpty() && isInAnswer(arguments.first(), run, names) &&
                                     (arguments.first() != QStringLiteral("info") || hasSentence);
-            QVERIFY2(isRefused || isAnswered, where.constData());
+            // The file does not hang on it: what could not be known of the model is said beside it.
+            const bool isWarned = !output.isEmpty() && run.status == whole.status &&
+                                  run.out == whole.out && run.file == whole.file &&
+                                  mentions(said, names);
+            QVERIFY2(isRefused || isAnswered || isWarned, where.constData());
         }
     }
 }

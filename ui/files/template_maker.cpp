@@ -122,8 +122,8 @@ void TemplateMaker::trace(const WantedTrace &wanted)
     if (!section) {
         Q_EMIT failed(
             wanted.as == DrawingAs::Holes
-                ? tr("Select the section to cut holes in first, or lay the drawing on it.")
-                : tr("Select the section to engrave first, or lay the drawing on it."));
+                ? tr("Select the section to cut holes in first, or place the drawing on it.")
+                : tr("Select the section to engrave first, or place the drawing on it."));
         return;
     }
     m_bench.layDownTool();

@@ -204,7 +204,7 @@ void TestMeasureTool::typingALengthScalesTheModel()
     QVERIFY(desk.interaction.key(ToolKey::Enter, desk.time));
     QVERIFY(std::abs(desk.sections()[1]->shape->bounds().size().y() - 180.0) < 1e-9);
     QVERIFY(std::abs(desk.sections()[1]->frame.origin.z() - 60.0) < 1e-9);
-    QCOMPARE(desk.lastStep(), QStringLiteral("Scale the model to 150 %"));
+    QCOMPARE(desk.lastStep(), QStringLiteral("Scale the model to 150\u202F%"));
     QVERIFY(std::abs(desk.measured() - 300.0) < 1e-9); // still in the hand
     desk.session.history()->undo();
     QVERIFY(desk.session.committed().document.isSame(before));

@@ -164,9 +164,10 @@ void TestSheetsDock::partsLieThereAndTheFootSaysHowWell()
     QVERIFY(view().content().note.isEmpty());
     QCOMPARE(view().content().sheets().size(), std::size_t(1));
     QCOMPARE(view().content().facts[0].parts.size(), std::size_t(13));
-    const QRegularExpression foot(QStringLiteral(
-        "<b>13 parts</b> on <b>1 sheet</b> \u00B7 \\d+\\.\\d % used \u00B7 \\d+\\.\\d m of "
-        "cutting"));
+    const QRegularExpression foot(
+        QStringLiteral("<b>13 parts</b> on <b>1 sheet</b> \u00B7 \\d+\\.\\d[\u00A0\u202F]% used "
+                       "\u00B7 \\d+\\.\\d m of "
+                       "cutting"));
     QVERIFY2(foot.match(text("sheetsTotals")).hasMatch(), qPrintable(text("sheetsTotals")));
 }
 
