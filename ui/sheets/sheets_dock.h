@@ -34,7 +34,7 @@ public:
     /// In the colours of the theme.
     void refreshColours();
 
-    static constexpr int kLeastHeight = 260; // px
+    static constexpr int kLeastHeight = 210; // px: with 1024 × 640 there is no more beside the view
 
 Q_SIGNALS:
     /// One of that stock is to be added.
