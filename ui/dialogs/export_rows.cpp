@@ -159,7 +159,8 @@ void ExportRows::setFile(const ExportFile &file)
 {
     for (QWidget *one : m_ofSheets)
         one->setVisible(!file.isSolids);
-    m_jointColours->setVisible(file.isColoured);
+    if (m_jointColours) // in the whole window
+        m_jointColours->setVisible(file.isColoured);
 }
 
 void ExportRows::refresh()

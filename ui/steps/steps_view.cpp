@@ -267,6 +267,10 @@ void StepsView::close()
     m_bar->hide();
     m_viewport->showSteps(nullptr);
     m_bench.setMarksAside(false);
+    // Who only looked at the steps finds the view as it was.
+    if (m_brought && m_brought->to == m_bench.interaction().targetCamera())
+        m_bench.setCamera(m_brought->from);
+    m_brought.reset();
     m_viewport->setFocus();
 }
 

@@ -363,21 +363,29 @@ void TestStepsView::whatIsDrawnApartStaysInSight()
     bench().setCamera(moved);
     slider("stepsApart")->setValue(0);
     QVERIFY(interaction().targetCamera() == moved);
+    bench().setCamera(before);
+    slider("stepsApart")->setValue(100);
+    QVERIFY(!(interaction().targetCamera() == before));
+    key(Qt::Key_Escape);
+    QVERIFY(interaction().targetCamera() == before);
 }
 
 // Wrong: the feet were under the bar, and it was to be guessed that F brings them above it.
 void TestStepsView::whatIsUnderTheBarComesIntoSight()
 {
     const Vec2 size = interaction().viewport();
-    bench().setCamera(
-        panned(interaction().camera(), Vec2(0.0, 0.4 * size.y()), Vec2::Zero(), size));
+    const Camera under =
+        panned(interaction().camera(), Vec2(0.0, 0.4 * size.y()), Vec2::Zero(), size);
+    bench().setCamera(under);
     showSteps();
     key(Qt::Key_End);
     QTRY_VERIFY(!interaction().isAnimating());
     QVERIFY(isAllInSight());
-    // Where all is seen, nothing moves.
+    const Camera seen = interaction().targetCamera();
     key(Qt::Key_Escape);
-    const Camera seen = interaction().camera();
+    QVERIFY(interaction().targetCamera() == under);
+    // Where all is seen, nothing moves.
+    bench().setCamera(seen);
     showSteps();
     QVERIFY(interaction().targetCamera() == seen);
 }

@@ -194,6 +194,8 @@ void TestSimpleWindow::aKeyThatIsOffSaysSo()
         QTRY_VERIFY(!says());
     }
     settings().setSimpleWindow(false);
+    session().reset(squareDocument());
+    m_view->setFocus();
     key(Qt::Key_L, Qt::ControlModifier);
     QTRY_VERIFY(interaction().tool()); // it is the command's again
     QVERIFY(!says());
