@@ -164,6 +164,15 @@ struct Stroke
     std::optional<Vec2> size;
     bool operator==(const Stroke &) const { return false; }
 };
+/// A line that may follow guides, as far as it goes.
+struct FollowedGuide
+{
+    std::string name;      // of the template
+    double share = 0.0;    // of the line that lies on them, 0 … 1
+    double farthest = 0.0; // mm, of the rest from them
+    bool isBegun = false;  // there is such a line
+    bool operator==(const FollowedGuide &) const = default;
+};
 /// The curves in which a canvas cuts templates, frame coordinates of the canvas.
 struct Guides
 {
@@ -177,18 +186,9 @@ struct Guides
     /// Each from where it is nearest to the canvas' origin on; the same ones as long as the canvas
     /// stays. Never null.
     std::shared_ptr<const std::vector<Loop>> loops;
-    std::vector<Vec2> turnouts; // where what is drawn leaves one, or comes to it
-    std::optional<Vec2> caught; // what is drawn follows one there
-    /// A line that may follow them, as far as it goes.
-    struct Followed
-    {
-        std::string name;      // of the template
-        double share = 0.0;    // of the line that lies on them, 0 … 1
-        double farthest = 0.0; // mm, of the rest from them
-        bool isBegun = false;  // there is such a line
-        bool operator==(const Followed &) const = default;
-    };
-    std::optional<Followed> followed = {}; // nothing is to follow them
+    std::vector<Vec2> turnouts;                 // where what is drawn leaves one, or comes to it
+    std::optional<Vec2> caught;                 // what is drawn follows one there
+    std::optional<FollowedGuide> followed = {}; // nothing is to follow them
     bool operator==(const Guides &) const = default;
 };
 /// Where the canvas meets the ground: a line without ends.

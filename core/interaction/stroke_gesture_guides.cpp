@@ -103,7 +103,7 @@ void StrokeGesture::addTemplates(const GestureContext &context, Signs &signs) co
     const Template *followed = m_templates.followed(context.model.document, line);
     if (!guides || !followed || !m_canFollow || m_stroke.state() == Stroke::State::Slit)
         return;
-    sign::Guides::Followed &told = guides->followed.emplace();
+    sign::FollowedGuide &told = guides->followed.emplace();
     told.name = followed->name;
     told.isBegun = line && line->length > 0.0;
     if (!told.isBegun)

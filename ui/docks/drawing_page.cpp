@@ -39,7 +39,7 @@ int drawnIndex(const Workbench &bench)
 }
 
 /// Null where nothing can be followed.
-const sign::Guides::Followed *followed(const Overlay &overlay)
+const sign::FollowedGuide *followed(const Overlay &overlay)
 {
     const auto *guides = overlay.find<sign::Guides>();
     return guides && guides->followed ? &*guides->followed : nullptr;
@@ -139,7 +139,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
             return told ? read(*told) : QString(u'–');
         });
     };
-    using Told = sign::Guides::Followed;
+    using Told = sign::FollowedGuide;
     addFollowed(tr("Follows"), "drawnFollows",
                 [](const Told &told) { return QString::fromStdString(told.name); });
     addFollowed(tr("On the guide"), "drawnOnGuide", [this](const Told &told) {

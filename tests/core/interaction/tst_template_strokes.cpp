@@ -215,7 +215,7 @@ void TestTemplateStrokes::whatItFollowsIsTold()
     QVERIFY(guidesShown(desk)->followed->farthest < 1.5);
     for (int i = 1; i <= 40; ++i)
         desk.moveTo(at(1.6 + 0.04 * i, 30.0 * std::sin(0.05 * i)), {}, 20);
-    const sign::Guides::Followed told = *guidesShown(desk)->followed;
+    const sign::FollowedGuide told = *guidesShown(desk)->followed;
     QVERIFY2(told.share > 0.4 && told.share < 0.8, qPrintable(QString::number(told.share)));
     QVERIFY2(std::abs(told.farthest - 30.0) < 2.0, qPrintable(QString::number(told.farthest)));
     desk.release(desk.cursor);
