@@ -269,10 +269,6 @@ private:
     std::optional<double> m_lead;
 };
 
-} // namespace
-
-namespace {
-
 /// Calls visit(index, pieces, hasLead) for each cut in turn.
 template <class Visit>
 void openEach(std::span<const ToolLine *const> cuts, const CuttingSheet &sheet, const Visit &visit)
