@@ -14846,11 +14846,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         </translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % used · %4 of cutting</source>
-        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine cuts</extracomment>
-        <translation>%1 auf %2 · %3 % genutzt · %4 Schnitt</translation>
-    </message>
-    <message>
         <source>Add an offcut</source>
         <translation>Reststück hinzufügen</translation>
     </message>
@@ -14867,9 +14862,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 Schnitt</translation>
     </message>
     <message>
-        <source>Best so far %1 %, %2 s</source>
-        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
-        <translation>Bisher am besten %1 %, %2 s</translation>
+        <source>Nesting… %1 %</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Wird ausgelegt… %1 %</translation>
+    </message>
+    <message>
+        <source>keeps the best so far, %1 s</source>
+        <extracomment>%1 are seconds</extracomment>
+        <translation>behält das Beste bisher, %1 s</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
+        <translation>%1 auf %2 · %3 % gefüllt · %4 Schnitt</translation>
     </message>
 </context>
 <context>

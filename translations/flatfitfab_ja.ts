@@ -14717,11 +14717,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 とほか %n 枚はシートより大きいです。</numerusform>
         </translation>
     </message>
-    <message>
-        <source>%1 on %2 · %3 % used · %4 of cutting</source>
-        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine cuts</extracomment>
-        <translation>%1、%2 · %3% を使用 · カット長 %4</translation>
-    </message>
     <message numerus="yes">
         <source>about %n min</source>
         <extracomment>how long a machine cuts</extracomment>
@@ -14745,9 +14740,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · カット長 %2</translation>
     </message>
     <message>
-        <source>Best so far %1 %, %2 s</source>
-        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
-        <translation>これまでの最良 %1 %、%2 秒</translation>
+        <source>Nesting… %1 %</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>板取り中… %1 %</translation>
+    </message>
+    <message>
+        <source>keeps the best so far, %1 s</source>
+        <extracomment>%1 are seconds</extracomment>
+        <translation>これまでの最良を残します（%1 秒）</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
+        <translation>%1、%2 · 充填率 %3 % · カット長 %4</translation>
     </message>
 </context>
 <context>

@@ -14957,11 +14957,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 i jeszcze %n płytek nie mieszczą się na swoich arkuszach.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>%1 on %2 · %3 % used · %4 of cutting</source>
-        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine cuts</extracomment>
-        <translation>%1 · %2 · wykorzystanie %3% · %4 cięcia</translation>
-    </message>
     <message numerus="yes">
         <source>about %n min</source>
         <extracomment>how long a machine cuts</extracomment>
@@ -14989,9 +14984,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 cięcia</translation>
     </message>
     <message>
-        <source>Best so far %1 %, %2 s</source>
-        <extracomment>%1 is how much of the sheets is filled, %2 are seconds</extracomment>
-        <translation>Najlepszy dotąd: %1 %, %2 s</translation>
+        <source>Nesting… %1 %</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Rozkładanie… %1 %</translation>
+    </message>
+    <message>
+        <source>keeps the best so far, %1 s</source>
+        <extracomment>%1 are seconds</extracomment>
+        <translation>zachowuje najlepszy układ dotąd, %1 s</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
+        <translation>%1 · %2 · wypełnienie %3 % · %4 cięcia</translation>
     </message>
 </context>
 <context>

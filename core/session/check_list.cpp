@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/findings/doubted_verdicts.h"
+#include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/nested.h"
@@ -120,13 +121,19 @@ void CheckList::speakOfSheets()
 {
     if (!m_nested || !m_verdicts || m_nested->analysis != m_verdicts->analysis)
         return;
-    for (Finding &finding : m_all) {
+    const std::optional<SheetUse> use = sheetUseOf(*m_nested);
+    if (!use)
+        return;
+    const auto isOfSheets = [](const Finding &finding) {
         const auto *packed = finding.details<SheetUse>();
-        if (!packed || packed->sheets == 0)
-            continue;
-        if (const std::optional<SheetUse> use = sheetUseOf(*m_nested))
-            finding = makeFinding(kFitsSheet, Severity::Good, *use);
-    }
+        return (packed && packed->sheets > 0) || finding.is(kFewSheets);
+    };
+    if (std::erase_if(m_all, isOfSheets) == 0)
+        return;
+    const std::size_t before = m_all.size();
+    findFewSheets(m_nested->analysis->model, *m_nested->layout, m_all);
+    if (m_all.size() == before)
+        m_all.push_back(makeFinding(kFitsSheet, Severity::Good, *use));
 }
 
 void CheckList::refresh()

@@ -177,9 +177,10 @@ void ExportPreview::refreshHead()
         m_state->setText(tr("Working…"));
     else if (cutting)
         //: %1 is a number with a percent sign
-        m_state->setText(tr("Used: %1")
-                             .arg(QStringLiteral("<b>%1 %</b>")
-                                      .arg(locale().toString(qRound(100.0 * cutting->usedShare)))));
+        m_state->setText(
+            tr("Used: %1")
+                .arg(QStringLiteral("<b>%1 %</b>")
+                         .arg(locale().toString(qRound(100.0 * m_work.made()->nested->filled)))));
     else
         m_state->clear();
 }

@@ -2,6 +2,7 @@
 
 #include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/findings/sheet_fit.h"
+#include "core/fabrication/sheet_supply.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
@@ -134,7 +135,7 @@ QString noRoomText(const Stock &stock, double margin)
 {
     LayoutOptions layout;
     layout.margin = margin;
-    if (roomOf(stock.sheet, layout).minCoeff() > 0.0)
+    if (hasRoom(stock, layout))
         return {};
     //: %1 is a stock, %2 a length
     return ExportRemarksTexts::tr("A sheet of %1 has no room within margins of %2.")

@@ -120,7 +120,7 @@ QWidget *SheetsDock::makeHead()
                            "until you stop it."));
     m_bar = new QProgressBar(head);
     m_bar->setObjectName(QStringLiteral("sheetsBar"));
-    m_bar->setMaximumWidth(kBarWidth);
+    m_bar->setFixedWidth(kBarWidth);
     m_bar->setRange(0, kThousand);
     m_state = new QLabel(head);
     m_state->setObjectName(QStringLiteral("sheetsState"));
@@ -224,16 +224,14 @@ void SheetsDock::refreshHead()
     const double filled = m_work->made() ? m_work->made()->nested->filled : 0.0;
     m_bar->setVisible(isSearching);
     m_stop->setVisible(isSearching);
-    // How far Best comes nobody knows: it goes on until it is stopped.
-    const double done = nesting.progress();
-    m_bar->setRange(0, done < 0.0 ? 0 : kThousand);
-    m_bar->setValue(static_cast<int>(std::lround(kThousand * std::max(done, 0.0))));
-    m_bar->setFormat(tr("Nesting…"));
+    // What has come of it, not the time: how far Best comes nobody knows. That it goes on the
+    // seconds tell.
+    m_bar->setValue(static_cast<int>(std::lround(kThousand * filled)));
+    //: %1 is how much of the sheets is filled
+    m_bar->setFormat(tr("Nesting… %1 %").arg(locale().toString(100.0 * filled, 'f', 1)));
     if (isSearching)
-        //: %1 is how much of the sheets is filled, %2 are seconds
-        m_state->setText(tr("Best so far %1 %, %2 s")
-                             .arg(locale().toString(100.0 * filled, 'f', 1))
-                             .arg(std::floor(nesting.searchedFor())));
+        //: %1 are seconds
+        m_state->setText(tr("keeps the best so far, %1 s").arg(std::floor(nesting.searchedFor())));
     else if (m_wasOlder && m_view->content().note.isEmpty() && !m_view->hand())
         m_state->setText(tr("Nesting again…"));
     else
@@ -349,12 +347,12 @@ void SheetsDock::refreshFoot()
     const int sheets = cutting->sheetCount() - static_cast<int>(nested.layout->oversized.size());
     const QString parts = bold(partCountText(cutting->partCount));
     const QString length = cutLengthText(nested.cutLength, locale());
-    //: %1 are the parts, %2 the sheets, %3 is how much of these is used, %4 how far the machine
+    //: %1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine
     //: cuts
     QStringList facts{sheets > 0
-                          ? tr("%1 on %2 \u00B7 %3 % used \u00B7 %4 of cutting")
+                          ? tr("%1 on %2 \u00B7 %3 % filled \u00B7 %4 of cutting")
                                 .arg(parts, bold(sheetCountText(sheets)),
-                                     locale().toString(100.0 * cutting->usedShare, 'f', 1), length)
+                                     locale().toString(100.0 * nested.filled, 'f', 1), length)
                           //: %1 are the parts, %2 is how far the machine cuts
                           : tr("%1 \u00B7 %2 of cutting").arg(parts, length)};
     if (const std::optional<double> time = seconds())

@@ -16,7 +16,7 @@ struct FewSheets
 
 extern const FindingKind kFewSheets;
 
-/// layout  of all parts, by boxes, on whole sheets
+/// layout  of all parts: by boxes, on whole sheets, or as they are nested
 void findFewSheets(const Model &model, const Layout &layout, std::vector<Finding> &found);
 
 } // namespace fff

@@ -143,8 +143,7 @@ std::optional<SheetUse> sheetUseOf(const Nested &nested)
     if (!nested.layout || !nested.cutting || !nested.layout->oversized.empty())
         return std::nullopt;
     const std::vector<Sheet> &sheets = nested.layout->sheets;
-    return SheetUse{nested.cutting->sheetCount(), commonSize(sheets), true,
-                    nested.cutting->usedShare};
+    return SheetUse{nested.cutting->sheetCount(), commonSize(sheets), true, nested.filled};
 }
 
 } // namespace fff

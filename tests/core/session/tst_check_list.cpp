@@ -1,7 +1,9 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/nested.h"
 #include "core/base/units.h"
+#include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "core/session/session.h"
 #include "core/session/sheet_nesting.h"
@@ -14,6 +16,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <stdexcept>
 
 using namespace fff;
@@ -154,7 +157,7 @@ void TestCheckList::sheetsAreCountedOnce()
     const auto nested = [&] {
         session.scheduler().finish(kNested.name);
         return QStringLiteral("Fits the sheet. 1 sheet of 210 × 200 mm, %1 % used.")
-            .arg(qRound(100.0 * nesting.result()->cutting->usedShare));
+            .arg(qRound(100.0 * nesting.result()->filled));
     };
     const QString lies = nested();
     QCOMPARE(said(), lies);
@@ -163,6 +166,20 @@ void TestCheckList::sheetsAreCountedOnce()
     QCOMPARE(said(), lies);
     session.commit(QStringLiteral("Move"), *moveSection(two, two.sections[1]->id, front(70)));
     QCOMPARE(said(), packed);
+    // Of one sheet their boxes take more than there are; they themselves do not.
+    Stock stock = *two.stocks.front();
+    stock.sheetCount = 1;
+    session.commit(QStringLiteral("One sheet"), *setStock(two, stock));
+    const auto runsOut = [&] {
+        said();
+        return std::any_of(list.all().begin(), list.all().end(),
+                           [](const Finding &finding) { return finding.is(kFewSheets); });
+    };
+    QVERIFY(runsOut());
+    nesting.setWanted(this, true);
+    session.scheduler().finish(kNested.name);
+    QCOMPARE(said(), lies);
+    QVERIFY(!runsOut());
 }
 
 FFF_TEST(TestCheckList)
