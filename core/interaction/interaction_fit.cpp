@@ -9,6 +9,13 @@ void Interaction::Private::fitFirst()
     Camera front;
     front.projection = motion.camera.projection;
     motion.camera = fittedToAll(front, lasting);
+    keepFit();
+}
+
+void Interaction::Private::keepFit()
+{
+    motion.fit = motion.target();
+    fittedDocument = host.model().document;
 }
 
 Camera Interaction::Private::fittedToAll(const Camera &from, std::span<const Box2> beside) const
@@ -18,7 +25,7 @@ Camera Interaction::Private::fittedToAll(const Camera &from, std::span<const Box
     return fittedClear(from, seen, motion.viewport, fitMargins(motion.viewport, beside));
 }
 
-/// The view has other room: what fills it still does, unless somebody has looked closer or is at
+/// The view has other room: what filled it does again, unless somebody has looked closer or is at
 /// work, whose hand would miss what it was over.
 void Interaction::Private::followRoom()
 {
@@ -27,7 +34,9 @@ void Interaction::Private::followRoom()
     const PenMarks *path = overlay.find<PenMarks>();
     const bool isAtWork =
         gesture || isToolPressed || overlay.hasStroke() || (path && !path->points.empty());
-    if (isAtWork || !motion.isAsFitted() || !host.model().document.isSame(fittedDocument))
+    // What is drawn into an empty view is not to fill it at once.
+    const bool isBegun = fittedDocument.sections.empty() && !host.model().document.sections.empty();
+    if (isAtWork || isBegun || !motion.isAsFitted())
         return;
     motion.refit(fittedToAll(motion.target(), lasting));
     hover();
@@ -37,8 +46,7 @@ void Interaction::Private::followRoom()
 void Interaction::fitAll(const Camera &from, double time, double duration)
 {
     turnTo(d->fittedToAll(from, d->covered), time, duration);
-    d->motion.fit = d->motion.target();
-    d->fittedDocument = d->host.model().document;
+    d->keepFit();
 }
 
 void Interaction::fit(std::span<const Vec3> points, double time, double duration)
@@ -58,7 +66,10 @@ void Interaction::setCovered(std::vector<Box2> covered, const std::vector<Box2> 
     d->lasting = covered;
     d->covered = std::move(covered);
     d->covered.insert(d->covered.end(), passing.begin(), passing.end());
-    if (!isSameRoom)
+    // Verdicts have other words after an edit, which is no reason to move the model.
+    const bool isEdited =
+        d->motion.isTouched && !d->host.model().document.isSame(d->fittedDocument);
+    if (!isSameRoom && !isEdited)
         d->followRoom();
 }
 

@@ -77,6 +77,7 @@ public:
         return {host.model(), motion.camera, motion.viewport, view, seen, covered};
     }
     void fitFirst();
+    void keepFit();
     Camera fittedToAll(const Camera &from, std::span<const Box2> beside) const;
     void followRoom();
     bool isHandBusy() const;

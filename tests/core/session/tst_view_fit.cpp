@@ -273,6 +273,47 @@ private Q_SLOTS:
         QVERIFY(desk.interaction.camera() == closer);
     }
 
+    /// Wrong: an edit, then a dock, and a third of the model is behind it.
+    void itFollowsTheRoomAlsoAfterAnEdit()
+    {
+        for (const bool isAsOpened : {true, false}) {
+            Desk desk;
+            desk.session.reset(
+                fileOf(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/dinosaur.fff")));
+            if (!isAsOpened)
+                desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+            desk.click({10.0, 10.0});
+            const Document &now = desk.session.committed().document;
+            desk.session.commit(QStringLiteral("Rename"),
+                                *renameSection(now, now.sections.front()->id, "Body"));
+            const Camera before = desk.interaction.camera();
+            desk.interaction.setCovered({{{100.0, 600.0}, {500.0, 690.0}}}); // other words
+            QVERIFY(desk.interaction.camera() == before);
+            desk.interaction.setCovered({});
+            const Vec2 narrow(500.0, 700.0);
+            desk.interaction.setViewport(narrow);
+            checkFills(outlineOf(desk.session.model(), desk.interaction.camera(), narrow), narrow,
+                       plainMargins(narrow));
+        }
+    }
+
+    /// Wrong: docks come, and the ground is below the view.
+    void anEmptyViewFollowsTheRoom()
+    {
+        Desk desk;
+        desk.interaction.fitAll(desk.interaction.camera(), desk.time, 0.0);
+        desk.interaction.setViewport({700.0, 545.0});
+        const Vec2 ground = desk.interaction.camera().toScreen(Vec3::Zero(), {700.0, 545.0});
+        QVERIFY2(ground.y() > 300.0 && ground.y() < 545.0, qPrintable(QString::number(ground.y())));
+        // What is drawn there does not leap.
+        const Camera before = desk.interaction.camera();
+        const Document &now = desk.session.committed().document;
+        desk.session.commit(QStringLiteral("Draw"),
+                            withSection(now, polygonShape(rectangle(0, 0, 20, 20)), front()));
+        desk.interaction.setViewport({690.0, 545.0});
+        QCOMPARE(desk.interaction.camera().millimetresPerPixel, before.millimetresPerPixel);
+    }
+
     /// Wrong: a tool is taken up, its bar comes, and the model leaps from under the cursor.
     void itStaysUnderTheBarOfATool()
     {
