@@ -293,8 +293,14 @@ void StepsView::follow()
         m_shown && m_shown->time == m_player->time() &&
         m_shown->drawnApart == m_bar->drawnApart() && m_shown->camera == interaction.camera() &&
         m_shown->viewport == interaction.viewport() && m_shown->isPlaying == m_player->isPlaying();
-    if (!isSame)
-        show();
+    if (isSame)
+        return;
+    // As long as nobody has moved the view, all of it stays in sight.
+    const bool hasOtherRoom = m_shown && m_shown->viewport != interaction.viewport() && m_brought &&
+                             m_brought->to == m_shown->camera;
+    show();
+    if (hasOtherRoom)
+        bringIntoSight();
 }
 
 void StepsView::show()

@@ -49,6 +49,7 @@ private Q_SLOTS:
     void apartIsApart();
     void whatIsDrawnApartStaysInSight();
     void allOfItIsFitted();
+    void whatIsDrawnApartFollowsTheWindow();
     void whatIsUnderTheBarComesIntoSight();
     void theViewIsTurnedAndNothingElse();
     void anEditLeavesThem();
@@ -368,6 +369,26 @@ void TestStepsView::whatIsDrawnApartStaysInSight()
     QVERIFY(!(interaction().targetCamera() == before));
     key(Qt::Key_Escape);
     QVERIFY(interaction().targetCamera() == before);
+}
+
+// Wrong: a smaller window cut off what was drawn apart.
+void TestStepsView::whatIsDrawnApartFollowsTheWindow()
+{
+    showSteps();
+    key(Qt::Key_End);
+    QTRY_VERIFY(!interaction().isAnimating());
+    slider("stepsApart")->setValue(100);
+    const QSize size = m_window->size();
+    m_window->resize(size * 0.75);
+    QTRY_VERIFY(!interaction().isAnimating() && isAllInSight());
+    // Who looked closer goes on doing so.
+    Camera closer = interaction().targetCamera();
+    closer.millimetresPerPixel *= 0.25;
+    bench().setCamera(closer);
+    QTRY_VERIFY(!interaction().isAnimating());
+    m_window->resize(size);
+    QTest::qWait(50);
+    QCOMPARE(interaction().targetCamera().millimetresPerPixel, closer.millimetresPerPixel);
 }
 
 // Wrong: the feet were under the bar, and it was to be guessed that F brings them above it.
