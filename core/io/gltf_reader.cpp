@@ -202,7 +202,7 @@ private:
         }
     }
 
-    static constexpr int kMostGltfPlaced = 1'000'000;
+    static constexpr int kMostGltfPlaced = 100'000;
 
     JsonCursor m_root;
     GltfBuffers m_buffers;

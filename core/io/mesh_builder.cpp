@@ -82,6 +82,15 @@ private:
 
 constexpr std::size_t kMostEars = 1000; // corners; the work is up to their cube
 
+/// Just as much the first time, and twice as much where it comes by and by.
+template <class T>
+void makeRoom(std::vector<T> &list, std::uint64_t count)
+{
+    const std::size_t needed = list.size() + static_cast<std::size_t>(count);
+    if (needed > list.capacity())
+        list.reserve(std::max(needed, list.empty() ? std::size_t(0) : 2 * list.capacity()));
+}
+
 } // namespace
 
 void cutPolygon(std::span<const std::uint32_t> corners, const std::vector<Vec3> &positions,
@@ -151,7 +160,7 @@ bool MeshBuilder::expectTriangles(std::uint64_t count, std::uint64_t bytesEach, 
         tooMany(count);
     if (!expect(count, bytesEach, bytes, where, QT_TRANSLATE_NOOP("Error", "triangles")))
         return false;
-    draft.triangles.reserve(draft.triangles.size() + count);
+    makeRoom(draft.triangles, count);
     return true;
 }
 
@@ -164,7 +173,7 @@ bool MeshBuilder::expectVertices(std::uint64_t count, std::uint64_t bytesEach, s
               QT_TRANSLATE_NOOP("Error", "vertices")});
     if (!expect(count, bytesEach, bytes, where, QT_TRANSLATE_NOOP("Error", "vertices")))
         return false;
-    draft.positions.reserve(draft.positions.size() + count);
+    makeRoom(draft.positions, count);
     return true;
 }
 

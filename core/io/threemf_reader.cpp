@@ -112,7 +112,8 @@ private:
     {
         const std::string &bytes = of.entry->bytes;
         const auto end = bytes.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(bytes));
-        return io::quoted(of.entry->name) + ":" + std::to_string(1 + std::count(bytes.begin(), end, '\n'));
+        return io::quoted(of.entry->name) + ":" +
+               std::to_string(1 + std::count(bytes.begin(), end, '\n'));
     }
     void fail(ErrorCode code, const Part &of, const pugi::xml_node &node,
               std::vector<std::string> args)
@@ -227,7 +228,12 @@ private:
         const auto found = where->objects.find(id);
         if (found == where->objects.end())
             return fail(ErrorCode::UnknownReference, of, node, {io::quoted(id)});
-        if (depth > kMostNested || ++m_placed > kMostPlaced)
+        // What names others many times over comes to more than any file has bytes.
+        if (++m_placed > kMostPlaced)
+            return fail(ErrorCode::BadCount, of, node,
+                        {std::to_string(m_placed), std::to_string(kMostPlaced),
+                         QT_TRANSLATE_NOOP("Error", "placed objects")});
+        if (depth > kMostNested)
             return fail(ErrorCode::BadValue, of, node,
                         {io::quoted(id),
                          QT_TRANSLATE_NOOP("Error", "an object that does not contain itself")});
@@ -267,7 +273,7 @@ private:
         return draft;
     }
 
-    static constexpr int kMostPlaced = 1'000'000;
+    static constexpr int kMostPlaced = 20'000;
 
     std::vector<ArchiveEntry> m_entries;
     MeshBuilder m_builder;

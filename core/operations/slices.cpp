@@ -213,6 +213,11 @@ bool Slicer::isThin(const TemplateLoop &outer) const
     if (m_context.operation().version < kKeepsOffEnds)
         return false;
     const double radius = 0.5 * kLeastWidth * m_thickness;
+    Box2 box;
+    for (const Vec2 &p : outer.points)
+        box.extend(p);
+    if (box.size().minCoeff() < 2.0 * radius)
+        return true;
     double length = 0.0;
     for (std::size_t i = 0; i < outer.points.size(); ++i)
         length += (outer.points[(i + 1) % outer.points.size()] - outer.points[i]).norm();

@@ -189,6 +189,19 @@ void TestBrokenMeshes::saidClearly_data()
             brokenWith(xml, "<object id=\"1\" type=\"model\">",
                        "<object id=\"1\"><components><component objectid=\"1\"/></components>")),
         "a.3mf:3D/a.model:3: found \"1\", expected an object that does not contain itself");
+    // Wrong: each names the one before four times, and the reader is not seen again.
+    std::string laughs;
+    for (int level = 2; level <= 30; ++level) {
+        laughs += "<object id=\"" + std::to_string(level) + "\"><components>";
+        for (int i = 0; i < 4; ++i)
+            laughs += "<component objectid=\"" + std::to_string(level - 1) + "\"/>";
+        laughs += "</components></object>";
+    }
+    row("3MF of objects in objects without end", "a.3mf",
+        threeMf(brokenWith(threeMfXml(draft, "inch", "<item objectid=\"30\"/>"),
+                           "<object id=\"1\" type=\"model\">",
+                           laughs + "<object id=\"1\" type=\"model\">")),
+        "a.3mf:3D/a.model:3: found 20001 placed objects, expected at most 20000");
     // glTF
     const std::string json = gltfInOne(draft);
     row("glTF that is no JSON", "a.gltf", "{\"asset\":", "a.gltf:1: the file ends here");
