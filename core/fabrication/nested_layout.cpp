@@ -237,20 +237,33 @@ NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const N
     return nested;
 }
 
+std::vector<double> takenHeights(const Layout &layout, const std::vector<Part> &parts,
+                                 const LayoutOptions &options)
+{
+    std::vector<double> heights(layout.sheets.size(), 0.0);
+    std::set<StockId> seen; // from behind: the first one of a stock is its last
+    for (std::size_t i = layout.sheets.size(); i-- > 0;) {
+        const Sheet &sheet = layout.sheets[i];
+        if (isOfOversized(sheet, layout))
+            continue;
+        const bool isLast = seen.insert(sheet.stock).second;
+        heights[i] = isLast && !sheet.outline
+                         ? std::min(sheet.size.y(), usedHeight(sheet, parts) + options.margin)
+                         : sheet.size.y();
+    }
+    return heights;
+}
+
 TakenArea takenArea(const Layout &layout, const std::vector<Part> &parts,
                     const LayoutOptions &options)
 {
     TakenArea area;
-    std::set<StockId> seen; // from behind: the first one of a stock is its last
-    for (auto sheet = layout.sheets.rbegin(); sheet != layout.sheets.rend(); ++sheet) {
-        if (isOfOversized(*sheet, layout))
-            continue;
-        const bool isLast = seen.insert(sheet->stock).second;
-        (sheet->index < 0 ? area.offcuts : area.wholes) +=
-            isLast && !sheet->outline
-                ? sheet->size.x() *
-                      std::min(sheet->size.y(), usedHeight(*sheet, parts) + options.margin)
-                : areaOf(*sheet);
+    const std::vector<double> heights = takenHeights(layout, parts, options);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const Sheet &sheet = layout.sheets[i];
+        if (heights[i] > 0.0)
+            (sheet.index < 0 ? area.offcuts : area.wholes) +=
+                sheet.outline ? areaOf(sheet) : sheet.size.x() * heights[i];
     }
     return area;
 }

@@ -61,10 +61,12 @@ struct NestedLayout
 NestedLayout nestOut(const std::vector<Part> &parts, const Model &model, const NestOptions &options,
                      const LongWork &longWork = {});
 
-/// What a layout takes of its sheets, mm²: all of them, but of each stock's last one, if it is
-/// rectangular, only as high as parts lie there, with the margin: the rest is whole. Not of
-/// oversized parts. The less of it, the better: first of whole sheets, since offcuts are there to
-/// be used up.
+/// How high each sheet is taken, mm: all of it, but of each stock's last one, if it is rectangular,
+/// only as high as parts lie there, with the margin: the rest is whole. 0 of oversized parts.
+std::vector<double> takenHeights(const Layout &layout, const std::vector<Part> &parts,
+                                 const LayoutOptions &options);
+/// What a layout takes of its sheets so, mm². The less of it, the better: first of whole sheets,
+/// since offcuts are there to be used up.
 struct TakenArea
 {
     double wholes = 0.0, offcuts = 0.0;

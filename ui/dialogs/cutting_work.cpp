@@ -1,6 +1,7 @@
 #include "ui/dialogs/cutting_work.h"
 
 #include "core/analysis/analysed.h"
+#include "core/fabrication/nested_layout.h"
 #include "core/session/scheduler.h"
 #include "core/session/session.h"
 #include "core/session/sheet_nesting.h"
@@ -13,18 +14,31 @@ namespace fff::ui {
 
 namespace {
 
+/// Less of a sheet nobody puts aside, mm.
+constexpr double kLeastWhole = 30.0;
+
+std::vector<SheetPaths> withWholes(std::vector<SheetPaths> sheets, const Nested &nested)
+{
+    const std::vector<double> heights =
+        takenHeights(*nested.layout, nested.parts->parts, nested.question->nesting.layout);
+    for (std::size_t i = 0; i < sheets.size() && i < heights.size(); ++i)
+        if (heights[i] > 0.0 && sheets[i].size.height() - heights[i] >= kLeastWhole)
+            sheets[i].wholeFrom = heights[i];
+    return sheets;
+}
+
 std::vector<SheetPaths> pathsWith(const Nested &nested, const CutFinish &finish,
                                   bool hasJointColours)
 {
     if (!nested.cutting)
         return {};
     if (finish.isPlain() && !hasJointColours)
-        return sheetPaths(nested.cutting->drawing);
+        return withWholes(sheetPaths(nested.cutting->drawing), nested);
     CuttingDrawing drawing = nested.cutting->drawing; // its parts' lines are shared
     for (CuttingSheet &sheet : drawing.sheets)
         sheet.finish = finish;
     drawing.hasJointColours = hasJointColours;
-    return sheetPaths(drawing);
+    return withWholes(sheetPaths(drawing), nested);
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/measures.h"
+#include "ui/view/heading_weight.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -26,7 +28,9 @@ constexpr double kGapToBar = 10.0;  // mm, as between sheets in a file
 constexpr QSizeF kBar(100.0, 10.0); // mm, the writers'
 constexpr double kHoverWidth = 2.0; // px
 constexpr float kHoverAlpha = 0.6F, kFillAlpha = 0.16F, kHeldAlpha = 0.85F;
-constexpr double kGrainStep = 12.0; // mm
+constexpr double kGrainStep = 12.0;   // mm
+constexpr double kBesideWhole = 16.0; // px, before the words of what stays whole
+const QColor kWhole(0x1E, 0x6B, 0x2E);
 
 /// The material's, whatever the theme; in high contrast black on white but for what is cut.
 struct SheetColours
@@ -162,6 +166,28 @@ void paintGround(const SheetPaths &sheet, const SheetPainting &how, const SheetC
     painter.drawPath(edge);
 }
 
+/// What can be put aside for another time.
+void paintWhole(const SheetPaths &sheet, const SheetPainting &how, QPainter &painter)
+{
+    const QRectF strip(0.0, sheet.wholeFrom, sheet.size.width(),
+                       sheet.size.height() - sheet.wholeFrom);
+    painter.setPen(hairline(kWhole, 1.0, Qt::DashLine));
+    painter.drawLine(how.transform.map(strip.topLeft()), how.transform.map(strip.topRight()));
+    const QString size = sizeText({strip.width(), strip.height()}, 0, QLocale());
+    //: %1 is the size of what is left of a sheet
+    const QString text = SheetPaintingTexts::tr("Offcut %1 stays whole").arg(size);
+    const QRectF room = how.transform.mapRect(strip).adjusted(kBesideWhole, 0.0, 0.0, 0.0);
+    const QFont before = painter.font();
+    QFont font = before;
+    font.setPixelSize(kMostDigits);
+    font.setWeight(headingWeight());
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    if (metrics.height() < room.height() && metrics.horizontalAdvance(text) < room.width())
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter.setFont(before);
+}
+
 void paintReference(const SheetPainting &how, QPainter &painter)
 {
     const QRectF bar = how.transform.mapRect(referenceBar());
@@ -229,6 +255,8 @@ void paintSheet(const SheetPaths &sheet, const SheetPainting &how, QPainter &pai
         colours.cut = colours.number = theme().problem;
     } else {
         paintGround(sheet, how, colours, painter);
+        if (sheet.wholeFrom > 0.0)
+            paintWhole(sheet, how, painter);
     }
     const bool isReadable = scaleOf(how.transform) >= kReadableScale;
     for (std::size_t i = 0; i < sheet.parts.size(); ++i) {

@@ -34,6 +34,7 @@ struct SheetPaths
     QSizeF size;          // mm
     QPainterPath outline; // of an offcut; empty: a rectangle of that size
     StockId stock;
+    double wholeFrom = 0.0; // mm: what lies above stays whole; 0: nothing does
     std::vector<PartPaths> parts;
 };
 

@@ -73,6 +73,8 @@ SheetsContent sheetsContent(std::shared_ptr<const CuttingWork::Made> made)
     content.hasGrain =
         options.turning == nest::Turning::None || options.turning == nest::Turning::Half;
     const BodiesOfParts bodies = bodiesOfParts(nested.analysis->model, nested.parts->parts);
+    const std::vector<double> heights =
+        takenHeights(*nested.layout, nested.parts->parts, options.layout);
     std::set<StockId> stocks;
     for (const Sheet &sheet : nested.layout->sheets)
         stocks.insert(sheet.stock);
@@ -82,7 +84,9 @@ SheetsContent sheetsContent(std::shared_ptr<const CuttingWork::Made> made)
             facts.parts.push_back(partOnSheet(placement, nested, bodies));
         facts.isTooLarge = isOversized(sheet, *nested.layout);
         facts.isOffcut = sheet.index < 0;
-        facts.usedShare = areaOn(sheet, nested.parts->parts) / areaOf(sheet);
+        const double taken = heights[content.facts.size()];
+        const double area = sheet.outline ? areaOf(sheet) : sheet.size.x() * taken;
+        facts.usedShare = area > 0.0 ? areaOn(sheet, nested.parts->parts) / area : 0.0;
         const Stock *stock = nested.analysis->model.document.find(sheet.stock);
         if (stock && stocks.size() > 1)
             facts.stock = stockName(*stock);

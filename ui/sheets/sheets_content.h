@@ -34,7 +34,7 @@ struct SheetFacts
     std::vector<PartOnSheet> parts; // as the sheet's paths have them
     bool isTooLarge = false;        // the sheet is its part's size: it fits none
     bool isOffcut = false;          // or of another size than whole ones
-    double usedShare = 0.0;         // 0 … 1
+    double usedShare = 0.0;         // of what is taken of it, 0 … 1
     QString stock;                  // its name; empty where all are of one
 };
 

@@ -1,6 +1,5 @@
 #include "ui/sheets/sheets_dock.h"
 
-#include "core/fabrication/cutting_order.h"
 #include "core/interaction/sheet_editing.h"
 #include "core/io/error_text.h"
 #include "core/session/scheduler.h"
@@ -32,7 +31,6 @@ namespace fff::ui {
 namespace {
 
 constexpr int kRowsWidth = 314, kBarWidth = 250; // px
-constexpr double kMinute = 60.0;                 // s
 constexpr int kThousand = 1000;                  // steps of the bar
 
 /// Sections with a part that fits no sheet.
@@ -93,6 +91,7 @@ SheetsDock::SheetsDock(Workbench &bench, QWidget *parent)
     connect(m_view, &SheetsView::letGo, this, [this](const std::vector<SectionRef> &sections) {
         edit(unpinned(m_bench.session().committed(), sections));
     });
+    connect(m_view, &SheetsView::hinted, this, &SheetsDock::hinted);
     connect(m_view, &SheetsView::refused, this, &SheetsDock::say);
     connect(m_view, &SheetsView::selected, &bench,
             [this](const std::vector<SectionRef> &sections) { m_bench.select(sections); });
@@ -104,7 +103,6 @@ SheetsDock::SheetsDock(Workbench &bench, QWidget *parent)
     connect(&settings(), &Settings::unitChanged, this, &SheetsDock::refresh);
     connect(&settings(), &Settings::exportChanged, this, [this] {
         m_work->setLook(rememberedChoices().cuts());
-        m_timed = nullptr;
         refresh();
     });
     refresh();
@@ -228,7 +226,7 @@ void SheetsDock::refreshHead()
     // seconds tell.
     m_bar->setValue(static_cast<int>(std::lround(kThousand * filled)));
     //: %1 is how much of the sheets is filled
-    m_bar->setFormat(tr("Nesting… %1 %").arg(locale().toString(100.0 * filled, 'f', 1)));
+    m_bar->setFormat(tr("Nesting… %1 % used").arg(locale().toString(100.0 * filled, 'f', 1)));
     if (isSearching)
         //: %1 are seconds
         m_state->setText(tr("keeps the best so far, %1 s").arg(std::floor(nesting.searchedFor())));
@@ -258,6 +256,7 @@ void SheetsDock::say(const QString &why)
 {
     m_said = why;
     refreshHead();
+    Q_EMIT said(why); // where the eyes of the hand are not far
 }
 
 void SheetsDock::refreshTooLarge()
@@ -296,28 +295,6 @@ void SheetsDock::splitTooLarge()
     m_bench.run(QStringLiteral("operation.grid"));
 }
 
-/// By the machine that Export writes for.
-std::optional<double> SheetsDock::seconds()
-{
-    const ExportChoices choices = rememberedChoices();
-    const void *made = m_work->made().get();
-    if (made == m_timed && choices.machine == m_timedBy)
-        return m_seconds;
-    m_timed = made;
-    m_timedBy = choices.machine;
-    m_seconds.reset();
-    const std::shared_ptr<const Machine> machine = choices.chosenMachine();
-    if (!machine)
-        return m_seconds;
-    ToolWay way;
-    for (CuttingSheet sheet : m_work->cutting()->drawing.sheets) {
-        sheet.finish = choices.cuts();
-        way += wayAlong(inCuttingOrder(sheet), *machine);
-    }
-    m_seconds = way.seconds;
-    return m_seconds;
-}
-
 /// Where all sheets have one.
 QString SheetsDock::priceText() const
 {
@@ -350,14 +327,14 @@ void SheetsDock::refreshFoot()
     //: %1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine
     //: cuts
     QStringList facts{sheets > 0
-                          ? tr("%1 on %2 \u00B7 %3 % filled \u00B7 %4 of cutting")
+                          ? tr("%1 on %2 \u00B7 %3 % used \u00B7 %4 of cutting")
                                 .arg(parts, bold(sheetCountText(sheets)),
                                      locale().toString(100.0 * nested.filled, 'f', 1), length)
                           //: %1 are the parts, %2 is how far the machine cuts
                           : tr("%1 \u00B7 %2 of cutting").arg(parts, length)};
-    if (const std::optional<double> time = seconds())
-        //: how long a machine cuts
-        facts += tr("about %n min", nullptr, static_cast<int>(std::ceil(*time / kMinute)));
+    // By the machine that Export writes for.
+    if (const QString time = m_time.text(*m_work, rememberedChoices()); !time.isEmpty())
+        facts += time;
     for (const MissingSheets &missing : cutting->missing)
         facts += tr("%n sheet(s) more than there are", nullptr, missing.count);
     if (const QString price = priceText(); !price.isEmpty())

@@ -6,6 +6,7 @@
 
 #include "core/interaction/section_edit.h"
 #include "core/model/section.h"
+#include "ui/dialogs/cut_time.h"
 
 #include <QString>
 
@@ -18,7 +19,6 @@ class QPushButton;
 
 namespace fff::ui {
 
-class CuttingWork;
 class LayoutGroup;
 class LinkRow;
 class SegmentedBox;
@@ -39,6 +39,9 @@ public:
 Q_SIGNALS:
     /// One of that stock is to be added.
     void offcutWanted(fff::StockId stock);
+    void said(const QString &sentence);
+    /// What the hand can do there; with marks, empty: it is elsewhere.
+    void hinted(const QString &marked);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -56,7 +59,6 @@ private:
     void splitTooLarge();
     void edit(SectionEdit edit);
     void say(const QString &why);
-    std::optional<double> seconds();
     QString priceText() const;
     QString looseText() const;
     QString note() const;
@@ -74,11 +76,9 @@ private:
     LinkRow *m_split = nullptr;
     QLabel *m_foot = nullptr;
     LinkRow *m_unpin = nullptr;
-    QString m_said;                  // why a part is not where somebody wanted it
-    std::optional<double> m_seconds; // that the machine takes
-    const void *m_timed = nullptr;   // for what
-    QString m_timedBy;               // and by which machine
-    const void *m_shown = nullptr;   // what the view shows
+    QString m_said; // why a part is not where somebody wanted it
+    CutTime m_time;
+    const void *m_shown = nullptr; // what the view shows
     bool m_wasOlder = false;
     bool m_lights = false; // a section in the view
 };

@@ -67,6 +67,8 @@ void SheetsView::setSelected(const std::vector<SectionRef> &sections)
         return;
     m_selected = std::move(next);
     update();
+    if (m_hovered && m_button == Qt::NoButton)
+        Q_EMIT hinted(hintAt(m_hovered, false));
 }
 
 void SheetsView::setLit(std::optional<SectionRef> section)
@@ -321,6 +323,7 @@ void SheetsView::hover(const QPointF &place)
 {
     const std::optional<Spot> pin = pinAt(place);
     setHovered(pin ? pin : partAt(place));
+    Q_EMIT hinted(hintAt(m_hovered, pin.has_value()));
     if (pin)
         setCursor(Qt::PointingHandCursor);
     else
@@ -330,6 +333,7 @@ void SheetsView::hover(const QPointF &place)
 void SheetsView::leaveEvent(QEvent *)
 {
     setHovered(std::nullopt);
+    Q_EMIT hinted({});
 }
 
 void SheetsView::keyPressEvent(QKeyEvent *event)

@@ -70,6 +70,8 @@ Q_SIGNALS:
     void selected(const std::vector<fff::SectionRef> &sections);
     /// A part was put there; by a key, which may go on.
     void placed(const fff::PinnedPlace &place, bool isByKey);
+    /// What the hand can do where it is; with marks (ui/base/sentence_label.h), empty: it left.
+    void hinted(const QString &marked);
     /// There is no room for it, or it may not be turned so.
     void refused(const QString &why);
     void pinned(const std::vector<fff::PinnedPlace> &places);
@@ -95,6 +97,7 @@ private:
     void moveBy(const QPointF &way);
     void setHovered(std::optional<Spot> spot);
     void hover(const QPointF &place);
+    QString hintAt(const std::optional<Spot> &spot, bool isPin) const;
     void choose(std::optional<Spot> spot, Qt::KeyboardModifiers keys);
     void chooseNext(int by);
     void setContentNow(SheetsContent content);

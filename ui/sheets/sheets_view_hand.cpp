@@ -47,6 +47,24 @@ std::optional<SheetsView::Spot> SheetsView::partOfKeys() const
     return spots.size() == 1 ? std::optional(spots.front()) : std::nullopt;
 }
 
+QString SheetsView::hintAt(const std::optional<Spot> &spot, bool isPin) const
+{
+    if (!spot)
+        return tr("Drag a part elsewhere, or click it to select it.");
+    const QString name = pathsOf(*spot).name.toHtmlEscaped();
+    if (isPin)
+        //: %1 is the name of a section
+        return tr("Click to unpin <b>%1</b>.").arg(name);
+    if (m_content.facts[spot->sheet].isTooLarge)
+        //: %1 is the name of a section
+        return tr("<b>%1</b> is too large for its sheet. Click to select it.").arg(name);
+    if (partOfKeys() != spot)
+        //: %1 is the name of a section
+        return tr("Drag <b>%1</b> elsewhere, or click to select it.").arg(name);
+    //: %1 is the name of a section
+    return tr("Drag <b>%1</b> elsewhere. <kbd>R</kbd> turns it, <kbd>P</kbd> pins it.").arg(name);
+}
+
 std::optional<QPointF> SheetsView::handle() const
 {
     const std::optional<Spot> spot = partOfKeys();

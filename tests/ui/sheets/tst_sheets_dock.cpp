@@ -165,7 +165,7 @@ void TestSheetsDock::partsLieThereAndTheFootSaysHowWell()
     QCOMPARE(view().content().sheets().size(), std::size_t(1));
     QCOMPARE(view().content().facts[0].parts.size(), std::size_t(13));
     const QRegularExpression foot(
-        QStringLiteral("<b>13 parts</b> on <b>1 sheet</b> \u00B7 \\d+\\.\\d[\u00A0\u202F]% filled "
+        QStringLiteral("<b>13 parts</b> on <b>1 sheet</b> \u00B7 \\d+\\.\\d[\u00A0\u202F]% used "
                        "\u00B7 \\d+\\.\\d m of "
                        "cutting"));
     QVERIFY2(foot.match(text("sheetsTotals")).hasMatch(), qPrintable(text("sheetsTotals")));
@@ -523,7 +523,7 @@ void TestSheetsDock::aSearchIsStopped()
     const auto *bar = m_window->findChild<QProgressBar *>(QStringLiteral("sheetsBar"));
     QVERIFY(bar->isVisible());
     const QRegularExpressionMatch told =
-        QRegularExpression(QStringLiteral("^Nesting… (\\d+\\.\\d)\\W%$")).match(bar->text());
+        QRegularExpression(QStringLiteral("^Nesting… (\\d+\\.\\d)\\W% used$")).match(bar->text());
     QVERIFY2(told.hasMatch(), qPrintable(bar->text()));
     QVERIFY2(text("sheetsTotals").contains(told.captured(1)), qPrintable(text("sheetsTotals")));
     QVERIFY2(QRegularExpression(QStringLiteral("^keeps the best so far, \\d+ s$"))
