@@ -232,9 +232,7 @@ QString bedText(const Machine &machine, const CuttingDrawing &drawing)
     int tooLarge = 0;
     for (const CuttingSheet &sheet : drawing.sheets) {
         way += wayAlong(inCuttingOrder(sheet), machine);
-        const bool fits = std::min(sheet.size.x(), sheet.size.y()) <= machine.bed.minCoeff() &&
-                          std::max(sheet.size.x(), sheet.size.y()) <= machine.bed.maxCoeff();
-        tooLarge += fits ? 0 : 1;
+        tooLarge += fitsBed(sheet.size, machine) ? 0 : 1;
     }
     const QString name = QString::fromStdString(machine.name);
     //: %1 is a machine, %2 and %3 are numbers

@@ -40,6 +40,11 @@ const Machine &usualMachine()
     return machine;
 }
 
+bool fitsBed(const Vec2 &sheet, const Machine &machine)
+{
+    return sheet.minCoeff() <= machine.bed.minCoeff() && sheet.maxCoeff() <= machine.bed.maxCoeff();
+}
+
 const Machine &machineOf(const CuttingDrawing &drawing)
 {
     return drawing.machine ? *drawing.machine : usualMachine();

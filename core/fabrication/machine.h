@@ -54,6 +54,9 @@ struct Machine
     }
 };
 
+/// Whether a sheet of that size, mm, lies on the bed, turned or not.
+bool fitsBed(const Vec2 &sheet, const Machine &machine);
+
 /// What is written where no machine is asked for: red cuts, blue numbers, black engraving, green
 /// scoring, yellow guides. Speeds are those of a small laser in 3 mm plywood, for a first guess.
 const Machine &usualMachine();

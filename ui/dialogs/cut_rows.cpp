@@ -83,7 +83,7 @@ std::vector<PropertyRow *> addCutRows(PropertyGroup *group, const std::function<
     group->add(tabs);
     LengthRow *width = finishLength(group, access, CutRowsTexts::tr("Width of bridges"),
                                     "exportBridgeWidth", kTabWidthRange, &CutFinish::tabWidth);
-    LengthRow *lead = finishLength(group, access, CutRowsTexts::tr("Run-in of cuts"), "exportLead",
+    LengthRow *lead = finishLength(group, access, CutRowsTexts::tr("Lead-in"), "exportLead",
                                    kLeadRange, &CutFinish::lead);
     lead->setToolTip(CutRowsTexts::tr("Each cut begins and ends so far beside its line, in the "
                                       "waste; 0: on the line"));

@@ -83,8 +83,10 @@ ExportDialog::ExportDialog(Workbench &bench, const CheckList &checks, std::vecto
         m_bench.nesting().setOptions(m_choices.nesting());
         takeLook();
         m_preview->refresh(); // margin and bar at once
+        refresh();            // what the machine takes
     };
     connect(m_rows, &ExportRows::layoutChanged, this, takeLayout);
+    connect(m_rows, &ExportRows::couponWanted, this, &ExportDialog::couponWanted);
     connect(m_questions, &ExportQuestions::machineChanged, this, [this, takeLayout] {
         m_rows->refresh();
         takeLayout();
@@ -140,6 +142,7 @@ QWidget *ExportDialog::makeFoot()
     m_foot = new QLabel(foot);
     m_foot->setObjectName(QStringLiteral("exportTotals"));
     m_foot->setTextFormat(Qt::RichText);
+    m_foot->setWordWrap(true); // in two lines where words are long
     m_opensFolder = new QCheckBox(tr("Open the folder afterwards"), foot);
     m_opensFolder->setObjectName(QStringLiteral("exportOpensFolder"));
     m_opensFolder->setChecked(m_choices.opensFolder);
@@ -155,8 +158,7 @@ QWidget *ExportDialog::makeFoot()
     auto *row = new QHBoxLayout(foot);
     row->setContentsMargins(16, 10, 16, 12);
     row->setSpacing(12);
-    row->addWidget(m_foot);
-    row->addStretch(1);
+    row->addWidget(m_foot, 1);
     row->addWidget(m_opensFolder);
     row->addWidget(cancel);
     row->addWidget(m_export);
@@ -165,6 +167,14 @@ QWidget *ExportDialog::makeFoot()
     connect(cancel, &QPushButton::clicked, this, &ExportDialog::reject);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::goOn);
     return foot;
+}
+
+void ExportDialog::tellOfCoupon(const QString &sentence)
+{
+    m_rows->tellOfCoupon(sentence);
+    auto *area = findChild<QScrollArea *>(QStringLiteral("exportChoices"));
+    area->widget()->layout()->activate();
+    area->ensureWidgetVisible(findChild<QLabel *>(QStringLiteral("exportCouponSaid")));
 }
 
 /// As the file will have it.
@@ -205,7 +215,9 @@ const ExportFile &ExportDialog::file() const
 
 void ExportDialog::refresh()
 {
-    m_remarks->setRemarks(exportRemarks(m_checks, *m_work));
+    const bool isForMachine = file().isFolder || file().use == io::FileUse::Cutting;
+    m_remarks->setRemarks(
+        exportRemarks(m_checks, *m_work, isForMachine ? m_choices.chosenMachine().get() : nullptr));
     m_questions->setLayout(m_work->made() ? m_work->made()->nested->layout : nullptr);
     showPlace();
     refreshFoot();
@@ -220,12 +232,16 @@ void ExportDialog::takeLeastWidth()
     setMinimumWidth(std::max(minimumWidth(), layout()->minimumSize().width()));
 }
 
-/// That parts may come to lie better, or otherwise, than they do.
-QString ExportDialog::nestingText() const
+/// How long it takes, and that parts may come to lie better, or otherwise, than they do.
+QString ExportDialog::afterIt()
 {
-    if (!m_bench.nesting().isSearching() && !m_work->isWorking())
-        return {};
-    return QStringLiteral(" \u00B7 ") + tr("Nesting…");
+    const bool isNesting = m_bench.nesting().isSearching() || m_work->isWorking();
+    QString text;
+    for (const QString &one :
+         {m_time.text(*m_work, m_choices), isNesting ? tr("Nesting…") : QString()})
+        if (!one.isEmpty())
+            text += QStringLiteral(" \u00B7 ") + one;
+    return text;
 }
 
 void ExportDialog::refreshFoot()
@@ -249,7 +265,7 @@ void ExportDialog::refreshFoot()
                              .arg(bold(partCountText(cutting->partCount)),
                                   bold(sheetCountText(cutting->sheetCount())),
                                   cutLengthText(cutLength(cutting->drawing), locale())) +
-                         nestingText()));
+                         afterIt()));
     else
         m_foot->setText(m_work->isWorking() ? tr("Working…") : QString());
     const std::vector<ExportRemark> &remarks = m_remarks->remarks();

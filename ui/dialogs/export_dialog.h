@@ -9,6 +9,7 @@
 #include <QDialog> // first: moc stumbles over some standard headers
 
 #include "core/analysis/finding.h"
+#include "ui/dialogs/cut_time.h"
 #include "ui/dialogs/export_choices.h"
 
 #include <optional>
@@ -25,7 +26,6 @@ class CheckList;
 
 namespace fff::ui {
 
-class CuttingWork;
 class ExportPlace;
 class ExportPreview;
 class ExportQuestions;
@@ -53,6 +53,11 @@ public:
     const std::vector<SectionRef> &sections() const { return m_sections; }
 
     void reject() override;
+    /// What came of it.
+    void tellOfCoupon(const QString &sentence);
+
+Q_SIGNALS:
+    void couponWanted();
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
@@ -63,7 +68,7 @@ private:
     QWidget *makeFoot();
     void refresh();
     void refreshFoot();
-    QString nestingText() const;
+    QString afterIt();
     void takeLeastWidth();
     void takeLook();
     void takeFile();
@@ -78,6 +83,7 @@ private:
     ExportChoices m_choices;
     StockEdits *m_stocks = nullptr;
     CuttingWork *m_work = nullptr;
+    CutTime m_time;
     ExportQuestions *m_questions = nullptr;
     ExportRows *m_rows = nullptr;
     ExportPreview *m_preview = nullptr;

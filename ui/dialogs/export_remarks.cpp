@@ -2,6 +2,7 @@
 
 #include "core/analysis/findings/few_sheets.h"
 #include "core/analysis/findings/sheet_fit.h"
+#include "core/fabrication/machine.h"
 #include "core/fabrication/sheet_supply.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
@@ -9,6 +10,7 @@
 #include "ui/base/lengths.h"
 #include "ui/bench/check_words.h"
 #include "ui/bench/cutting_words.h"
+#include "ui/bench/measures.h"
 #include "ui/properties/stock_choice.h"
 
 #include <QCoreApplication>
@@ -98,6 +100,26 @@ void addOfDrawing(const CuttingWork &work, std::vector<ExportRemark> &remarks)
                            sectionsCalled(work.made()->analysis->model, remark.section)});
 }
 
+/// Whoever does not look at the machine's numbers would send it beyond its end.
+void addOfBed(const CuttingWork &work, const Machine &machine, std::vector<ExportRemark> &remarks)
+{
+    const Cutting *cutting = work.cutting();
+    if (!cutting ||
+        std::all_of(cutting->drawing.sheets.begin(), cutting->drawing.sheets.end(),
+                    [&machine](const CuttingSheet &sheet) { return fitsBed(sheet.size, machine); }))
+        return;
+    remarks.push_back(
+        {Severity::Warning,
+         {},
+         //: %1 is a machine, %2 the size of its bed
+         ExportRemarksTexts::tr("Sheets are larger than the bed of %1, which is %2. Choose smaller "
+                                "ones.")
+             .arg(QString::fromStdString(machine.name),
+                  sizeText({machine.bed.x(), machine.bed.y()}, 0, QLocale())),
+         {},
+         {}});
+}
+
 /// The verdict of a subject that nothing is said against; notes are not. Null: there is none.
 const Finding *goodOf(const CheckList &checks, Subject subject)
 {
@@ -149,7 +171,8 @@ bool ExportRemark::operator==(const ExportRemark &other) const
            (!finding || isSameVerdict(*finding, *other.finding));
 }
 
-std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWork &work)
+std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWork &work,
+                                        const Machine *machine)
 {
     std::vector<ExportRemark> remarks;
     if (const auto why = work.whyNot())
@@ -160,6 +183,8 @@ std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWo
                            {}});
     addOfChecks(checks, work.cutting() != nullptr, remarks);
     addOfDrawing(work, remarks);
+    if (machine)
+        addOfBed(work, *machine, remarks);
     std::stable_sort(
         remarks.begin(), remarks.end(),
         [](const ExportRemark &a, const ExportRemark &b) { return a.severity > b.severity; });

@@ -12,6 +12,7 @@
 
 namespace fff {
 class CheckList;
+struct Machine;
 }
 
 namespace fff::ui {
@@ -34,6 +35,8 @@ struct ExportRemark
 QString noRoomText(const Stock &stock, double margin);
 
 /// Never empty. Good is said in one line, of what is known to be good alone.
-std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWork &work);
+/// machine  that somebody chose; null: none in particular
+std::vector<ExportRemark> exportRemarks(const CheckList &checks, const CuttingWork &work,
+                                        const Machine *machine);
 
 } // namespace fff::ui

@@ -5,11 +5,13 @@
 #include "ui/dialogs/slit_picture.h"
 #include "ui/dialogs/stock_edits.h"
 #include "ui/dialogs/stock_words.h"
+#include "ui/properties/link_row.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/turning_choices.h"
 #include "ui/settings/settings.h"
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -59,11 +61,6 @@ PropertyGroup *ExportRows::makeFit()
     kerf->setToolTip(tr("Kept for this stock and the machine that is chosen"));
     addOfStock(group, tr("Slit clearance"), "exportClearance", -1.0, 1.0, &Stock::clearance,
                [](Stock &stock, double mm) { stock.clearance = mm; });
-    PropertyRow *fitted = fittedSlitRow(
-        [this] { return m_stocks.stock().clearance; },
-        [this](double mm) { m_stocks.edit([mm](Stock &stock) { stock.clearance = mm; }); }, group);
-    group->add(fitted);
-    m_rows.push_back(fitted);
     auto *drawn = new TextRow(
         tr("Drawn slit width"), "exportSlitWidth",
         [this] { return drawnSlitText(m_stocks.stock(), locale()); }, group);
@@ -78,7 +75,23 @@ PropertyGroup *ExportRows::makeFit()
     shown->setToolTip(drawnSlitTip());
     group->add(shown);
     m_rows.push_back(shown);
-    m_ofSheets.insert(m_ofSheets.end(), {kerf, fitted, drawn, shown});
+    auto *coupon = new LinkRow(group);
+    coupon->setObjectName(QStringLiteral("exportCoupon"));
+    coupon->setTexts({tr("Not sure? Cut a fit coupon first…")});
+    connect(coupon, &LinkRow::clicked, this, &ExportRows::couponWanted);
+    group->add(coupon);
+    m_coupon = new QLabel(group);
+    m_coupon->setTextFormat(Qt::PlainText);
+    m_coupon->setWordWrap(true);
+    m_coupon->setObjectName(QStringLiteral("exportCouponSaid"));
+    m_coupon->hide();
+    group->add(m_coupon);
+    PropertyRow *fitted = fittedSlitRow(
+        [this] { return m_stocks.stock().clearance; },
+        [this](double mm) { m_stocks.edit([mm](Stock &stock) { stock.clearance = mm; }); }, group);
+    group->add(fitted);
+    m_rows.push_back(fitted);
+    m_ofSheets.insert(m_ofSheets.end(), {kerf, fitted, drawn, shown, coupon});
     return group;
 }
 
@@ -161,6 +174,12 @@ void ExportRows::setFile(const ExportFile &file)
         one->setVisible(!file.isSolids);
     if (m_jointColours) // in the whole window
         m_jointColours->setVisible(file.isColoured);
+}
+
+void ExportRows::tellOfCoupon(const QString &sentence)
+{
+    m_coupon->setText(sentence);
+    m_coupon->show();
 }
 
 void ExportRows::refresh()

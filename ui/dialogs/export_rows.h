@@ -9,6 +9,8 @@
 #include <functional>
 #include <vector>
 
+class QLabel;
+
 namespace fff::ui {
 
 class PropertyGroup;
@@ -25,8 +27,11 @@ public:
     /// Solids have no kerf, and lie on no sheet; in some files colours say something.
     void setFile(const ExportFile &file);
     void refresh();
+    /// What came of it, below the link.
+    void tellOfCoupon(const QString &sentence);
 
 Q_SIGNALS:
+    void couponWanted();
     /// Of how parts lie; a stock's numbers are announced by the document.
     void layoutChanged();
 
@@ -45,6 +50,7 @@ private:
     std::vector<PropertyRow *> m_rows;
     std::vector<QWidget *> m_ofSheets; // of no use to solids
     PropertyRow *m_jointColours = nullptr;
+    QLabel *m_coupon = nullptr; // what came of it
 };
 
 } // namespace fff::ui

@@ -145,7 +145,7 @@ void StockFields::makeMeasuring(PropertyGroup *group)
 /// Whole ones, and what there is besides.
 void StockFields::makeSheets()
 {
-    PropertyGroup *group = addGroup(tr("Sheets"));
+    PropertyGroup *group = addGroup(tr("Size and number"));
     auto *size = new EditorRow(tr("Sheet W × H"), "stockSheet", makeSheetSize(), {}, group);
     group->add(size);
     auto *count = new NumberEdit({0.0, kMostSheets, 1.0, 0, 0}, QString(), group);

@@ -5,10 +5,7 @@
 #include "core/io/document_file.h"
 #include "core/io/formats.h"
 #include "ui/base/file_dialog.h"
-#include "ui/base/message_bar.h"
-#include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
-#include "ui/dialogs/export_choices.h"
 #include "ui/files/failures.h"
 #include "ui/files/format_filters.h"
 
@@ -42,13 +39,13 @@ std::vector<Stock> stocksToTry(const Model &model)
 }
 
 /// What a machine follows, in the usual way of each format; that of Export first.
-std::vector<ExportKind> couponKinds()
+std::vector<ExportKind> couponKinds(const ExportChoices &choices)
 {
     std::vector<ExportKind> kinds;
     for (const ExportKind &kind : exportKinds())
         if (kind.use == io::FileUse::Cutting && !kind.isFilePerSheet && kind.values.empty())
             kinds.push_back(kind);
-    const QString last = rememberedChoices().file.section(u'/', 0, 0);
+    const QString last = choices.file.section(u'/', 0, 0);
     std::stable_partition(kinds.begin(), kinds.end(),
                           [&last](const ExportKind &kind) { return kind.key == last; });
     return kinds;
@@ -56,9 +53,9 @@ std::vector<ExportKind> couponKinds()
 
 } // namespace
 
-bool CouponExport::ask(const QString &suggestion) const
+std::optional<CouponOutcome> CouponExport::ask(const QString &suggestion) const
 {
-    const std::vector<ExportKind> kinds = couponKinds();
+    const std::vector<ExportKind> kinds = couponKinds(choices);
     QStringList filters;
     for (const ExportKind &kind : kinds)
         filters += kind.filter;
@@ -80,30 +77,27 @@ bool CouponExport::ask(const QString &suggestion) const
         dialog.selectFile(name + u'.' + suffixOf(filter));
     });
     const QString path = dialog.target();
-    return !path.isEmpty() && write(path);
+    return path.isEmpty() ? std::nullopt : std::optional(write(path));
 }
 
-bool CouponExport::write(const QString &path) const
+CouponOutcome CouponExport::write(const QString &path) const
 {
     const io::Format *named =
         io::formatWritten(QFileInfo(path).suffix(), &io::Format::writesCutting);
-    const io::Format &format = named ? *named : *couponKinds().front().format;
+    const io::Format &format = named ? *named : *couponKinds(choices).front().format;
     const Result<void> written =
-        fitCoupon(stocksToTry(bench.session().committed()), rememberedChoices().chosenMachine(),
+        fitCoupon(stocksToTry(bench.session().committed()), choices.chosenMachine(),
                   io::couponWords())
             .and_then([&](const CuttingDrawing &coupon) { return format.writeCutting(coupon, {}); })
             .and_then([&](const std::string &bytes) { return io::writeFile(path, bytes); });
-    if (!written) {
-        messages.show(MessageBar::Severity::Error, {saveFailure(path, written.error())}, {},
-                      failureDetails(path, written.error()));
-        return false;
-    }
-    messages.dismiss();
+    if (!written)
+        return {false, saveFailure(path, written.error()), failureDetails(path, written.error())};
     //: %1 is the name of a file
-    status.say(CouponExportTexts::tr("Wrote a fit coupon to %1. Cut it and push the strip into its "
-                                     "slits; Export asks which one fitted.")
-                   .arg(QFileInfo(path).fileName().toHtmlEscaped()));
-    return true;
+    return {true,
+            CouponExportTexts::tr("Wrote a fit coupon to %1. Cut it and push the strip into its "
+                                  "slits; Export asks which one fitted.")
+                .arg(QFileInfo(path).fileName()),
+            {}};
 }
 
 } // namespace fff::ui

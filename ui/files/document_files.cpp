@@ -142,7 +142,16 @@ bool DocumentFiles::exportAgain()
 
 bool DocumentFiles::exportCoupon()
 {
-    return CouponExport{m_bench, m_messages, m_status, m_window}.ask(suggestion());
+    const std::optional<CouponOutcome> outcome = CouponExport{m_bench, m_window}.ask(suggestion());
+    if (!outcome)
+        return false;
+    if (outcome->isWritten) {
+        m_messages.dismiss();
+        m_status.say(outcome->sentence);
+    } else {
+        m_messages.show(MessageBar::Severity::Error, {outcome->sentence}, {}, outcome->details);
+    }
+    return outcome->isWritten;
 }
 
 bool DocumentFiles::canExportAgain() const

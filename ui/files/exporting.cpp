@@ -17,6 +17,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/files/chosen_place.h"
+#include "ui/files/coupon_export.h"
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
@@ -82,6 +83,10 @@ bool Exporting::ask(const QString &suggestion, const QString &model)
         return m_written.isOurs(model, path);
     });
     ExportDialog dialog(m_bench, m_checks, filesToChoose(), place, &m_window);
+    connect(&dialog, &ExportDialog::couponWanted, this, [&] {
+        if (const auto outcome = CouponExport{m_bench, dialog, dialog.choices()}.ask(suggestion))
+            dialog.tellOfCoupon(outcome->sentence);
+    });
     const bool goesOn = dialog.exec() == QDialog::Accepted;
     if (dialog.problem())
         Q_EMIT problemWanted(*dialog.problem());

@@ -9,10 +9,12 @@
 #include "ui/base/translations.h"
 #include "ui/dialogs/export_choices.h"
 #include "ui/dialogs/sheet_view.h"
+#include "ui/properties/link_row.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 
 #include <algorithm>
 
@@ -31,6 +33,7 @@ private Q_SLOTS:
     void aFolderForTheWorkshop();
     void bridgesAreSeenAndSwitchedOff();
     void aCouponIsWritten();
+    void thePanelOffersTheCoupon();
 
 private:
     QString file(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -177,6 +180,25 @@ void TestExportFiles::aCouponIsWritten()
     nameTheFile(file("piece.svg"));
     actionOf(*m_window, "fabricate.coupon")->trigger();
     QVERIFY(written("piece.svg").find("Slits to try") != std::string::npos);
+}
+
+// Where clearance is asked for, whoever does not know it finds the way.
+void TestExportFiles::thePanelOffersTheCoupon()
+{
+    draw(squareDocument());
+    inExportPanel(*m_window, [&](QDialog *dialog) {
+        const auto *said = dialog->findChild<QLabel *>(QStringLiteral("exportCouponSaid"));
+        QVERIFY(!said->isVisible());
+        nameTheFile(file("tried.svg"));
+        dialog->findChild<LinkRow *>(QStringLiteral("exportCoupon"))
+            ->findChild<QAbstractButton *>()
+            ->click();
+        QVERIFY(written("tried.svg").find("Slits to try") != std::string::npos);
+        QVERIFY(said->isVisible() && said->text().contains(QStringLiteral("tried.svg")));
+        // How long the machine that is chosen takes.
+        const auto *foot = dialog->findChild<QLabel *>(QStringLiteral("exportTotals"));
+        QTRY_VERIFY2(foot->text().contains(QStringLiteral("about 1")), qPrintable(foot->text()));
+    });
 }
 
 FFF_TEST_WITH(TestExportFiles, [](int argc, char *argv[]) {
