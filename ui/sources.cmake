@@ -48,6 +48,7 @@ target_sources(fff_ui PRIVATE
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
     dialogs/cut_rows.cpp
+    dialogs/cut_time.cpp
     dialogs/cutting_work.cpp
     dialogs/export_choices.cpp
     dialogs/export_dialog.cpp
@@ -108,6 +109,7 @@ target_sources(fff_ui PRIVATE
     docks/templates_dock.cpp
     docks/checks_dock_links.cpp
     docks/trace_preview.cpp
+    docks/two_lines.cpp
     docks/value_details.cpp
     docks/value_editor.cpp
     docks/value_row.cpp

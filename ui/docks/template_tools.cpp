@@ -23,7 +23,7 @@ TemplateTools::TemplateTools(Workbench &bench, std::function<const Template *()>
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, kAboveTools, 0, kToolGap);
     row->setSpacing(kToolGap);
-    addTool(tr("Handles"), "templateHandles",
+    addTool(tr("Move and turn"), "templateHandles",
             tr("Move, turn and scale it in the view, with handles or numbers"),
             TemplateTool::kCommand);
     addTool(tr("Size by a line"), "templateSizeByLine",

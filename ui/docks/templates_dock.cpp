@@ -18,6 +18,7 @@
 #include "ui/docks/outline_marks.h"
 #include "ui/docks/template_source.h"
 #include "ui/docks/template_tools.h"
+#include "ui/docks/two_lines.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/slider_field.h"
 #include "ui/properties/triple_row.h"
@@ -85,6 +86,7 @@ TemplatesDock::TemplatesDock(Workbench &bench, QWidget *parent)
     m_tree->setColumnCount(kTemplateColumns);
     m_tree->setHeaderHidden(true);
     dressOutline(m_tree, kTemplateEye);
+    m_tree->setItemDelegateForColumn(kTemplateName, new TwoLines(m_tree));
     m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
     m_tree->installEventFilter(this);
     connect(m_tree, &QTreeWidget::itemClicked, this, &TemplatesDock::press);
@@ -118,18 +120,6 @@ QWidget *TemplatesDock::makeFields()
     auto *column = new QVBoxLayout(m_fields);
     column->setContentsMargins(kFieldsMargin, 0, kFieldsMargin, kFieldsMargin);
     column->setSpacing(0);
-    auto *slices = new QPushButton(themedIcon(QStringLiteral("slices")), tr("Slices…"), m_fields);
-    slices->setObjectName(QStringLiteral("templateSlices"));
-    slices->setToolTip(tr("Cut it into sections that follow it"));
-    slices->setAutoDefault(false);
-    connect(slices, &QPushButton::clicked, this, [this] {
-        if (const Template *one = chosen())
-            Q_EMIT slicesWanted(one->id);
-    });
-    m_slices = slices;
-    column->addWidget(slices);
-    column->addSpacing(6);
-    column->addWidget(makeMaking());
     m_flat = new FlatGroup(
         m_bench, [this] { return chosen(); }, m_fields);
     connect(m_flat, &FlatGroup::traceWanted, this, &TemplatesDock::traceWanted);
@@ -194,6 +184,19 @@ QWidget *TemplatesDock::makeFields()
             m_turnUp = button;
     }
     column->addLayout(buttons);
+    column->addSpacing(6);
+    auto *slices = new QPushButton(themedIcon(QStringLiteral("slices")), tr("Slices…"), m_fields);
+    slices->setObjectName(QStringLiteral("templateSlices"));
+    slices->setToolTip(tr("Cut it into sections that follow it"));
+    slices->setAutoDefault(false);
+    connect(slices, &QPushButton::clicked, this, [this] {
+        if (const Template *one = chosen())
+            Q_EMIT slicesWanted(one->id);
+    });
+    m_slices = slices;
+    column->addWidget(slices);
+    column->addSpacing(6);
+    column->addWidget(makeMaking());
     column->addStretch();
     area->setWidget(m_fields);
     return area;
@@ -254,13 +257,6 @@ void TemplatesDock::addContent()
         m_group->add(row);
         m_rows.push_back(row);
     };
-    add(new TextRow(
-        tr("Holds"), "templateTriangles",
-        [this] {
-            const Template *one = chosen();
-            return one && isRead(*one) ? contentOf(*one) : tr("its file is missing");
-        },
-        m_group));
     add(new TextRow(
         tr("Extent"), "templateExtent",
         [this]() -> QString {
@@ -353,8 +349,12 @@ void TemplatesDock::writeRow(QTreeWidgetItem *item, const Template &one)
                                                       : QStringLiteral("figure_polygon")));
     item->setText(kTemplateName, QString::fromStdString(one.name));
     const QString file = QString::fromStdString(one.file);
-    item->setToolTip(kTemplateName, isRead(one) ? tr("%1: %2").arg(file, contentOf(one))
-                                                : tr("%1 is missing").arg(file));
+    const QString content = isRead(one) ? contentOf(one) : tr("%1 is missing").arg(file);
+    item->setToolTip(kTemplateName, file);
+    item->setData(kTemplateName, kSecondLineRole, content);
+    //: %1 is a name, %2 what it is
+    item->setData(kTemplateName, Qt::AccessibleTextRole,
+                  tr("%1: %2").arg(item->text(kTemplateName), content));
     item->setForeground(
         kTemplateName,
         palette().brush(one.isHidden || !isRead(one) ? QPalette::PlaceholderText : QPalette::Text));
@@ -441,12 +441,14 @@ const Template *TemplatesDock::chosen() const
 QString TemplatesDock::contentOf(const Template &one) const
 {
     if (one.mesh)
-        return tr("%n triangles", nullptr, static_cast<int>(one.mesh->mesh->triangles().size()));
+        return tr("Mesh, %n triangle(s)", nullptr,
+                  static_cast<int>(one.mesh->mesh->triangles().size()));
     if (one.picture)
         //: %1 and %2 are numbers of pixels
-        return tr("%1 × %2 pixels")
+        return tr("Picture, %1 × %2 pixels")
             .arg(locale().toString(one.picture->width), locale().toString(one.picture->height));
-    return tr("%n lines", nullptr, one.curves ? static_cast<int>(one.curves->lines.size()) : 0);
+    return tr("Drawing, %n line(s)", nullptr,
+              one.curves ? static_cast<int>(one.curves->lines.size()) : 0);
 }
 
 /// A locked one stays as it lies; it can be hidden, renamed and unlocked.

@@ -65,7 +65,7 @@ private:
     void followModel();
     void writeRows();
     void writeRow(QTreeWidgetItem *item, const Template &one);
-    /// "12 triangles", "640 × 480 pixels"
+    /// "Mesh, 12 triangles", "Picture, 640 × 480 pixels"
     QString contentOf(const Template &one) const;
     void rename(QTreeWidgetItem *item);
     void press(QTreeWidgetItem *item, int column);

@@ -115,13 +115,13 @@ MeshImported importTemplate(QWidget &window, Workbench &bench, const QString &na
     const QString size = lengthText(made.scale * made.mesh->mesh->size(), 1, 1, QLocale());
     if (made.mesh->mesh->unit() && made.scale != 1.0)
         //: %1 is the name of a file, %2 a length
-        imported.sized = MeshTexts::tr("%1 is too large for a model, so it was made %2 large. "
-                                       "Templates has its size.")
+        imported.sized = MeshTexts::tr("%1 is too large for a model, so it was scaled to %2. Its "
+                                       "size can be changed under Templates.")
                              .arg(name, size);
     else if (!made.mesh->mesh->unit())
         //: %1 is the name of a file, %2 a length
-        imported.sized = MeshTexts::tr("%1 knows no unit, so it was made %2 large. Templates has "
-                                       "its size.")
+        imported.sized = MeshTexts::tr("%1 does not say its unit, so it was scaled to %2. Its size "
+                                       "can be changed under Templates.")
                              .arg(name, size);
     if (!made.mesh->mesh->unit())
         offerScale(bench, imported);

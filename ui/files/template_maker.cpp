@@ -160,6 +160,7 @@ void TemplateMaker::carryOut(const SectionEdit &edit)
 
 void TemplateMaker::make(const QString &text, Last last, Work work)
 {
+    const Document before = m_bench.session().committed().document;
     std::stop_source stop;
     const auto made = inBackground<Result<SectionEdit>>(
         m_window, text, MayCancel::Yes,
@@ -174,6 +175,8 @@ void TemplateMaker::make(const QString &text, Last last, Work work)
         Q_EMIT failed(io::errorText(made->error()));
         return;
     }
+    if (!m_bench.session().committed().document.isSame(before))
+        return;
     if (const SectionEdit &edit = **made) {
         m_bench.session().history()->setIndex(last.before.step);
         last.step = last.before.step + 1;
