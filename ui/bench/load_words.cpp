@@ -24,6 +24,11 @@ QString loadName(const Load &load)
     return load.isPush() ? LoadTexts::tr("Push") : LoadTexts::tr("Weight");
 }
 
+QString loadTitle(const Load &load, const QString &section)
+{
+    return load.name.empty() && !section.isEmpty() ? section : loadName(load);
+}
+
 QString loadAmount(const Load &load, const QLocale &locale)
 {
     return load.isPush() ? forceText(load.push.norm(), locale) : massText(load.mass, locale);

@@ -1,6 +1,7 @@
 // What lies over the model in the view, and the words among it that can be clicked.
 #include "ui/bench/viewport.h"
 
+#include "core/interaction/load_tool.h"
 #include "core/model/origin.h"
 #include "ui/base/theme.h"
 #include "ui/bench/marked_scene.h"
@@ -72,8 +73,10 @@ void Viewport::paintMarks()
             scene.dimensions.add(sign);
         for (const Sign &sign : m_bench.tracedSigns())
             scene.dimensions.add(sign);
+        // The tool's own are what hangs there already.
         if (isBusy)
-            dropWordsOfOthers(scene.dimensions);
+            dropWordsOfOthers(scene.dimensions,
+                              dynamic_cast<const LoadTool *>(interaction.tool()) != nullptr);
     }
     scene.covered = m_covered;
     if (!m_steps) {

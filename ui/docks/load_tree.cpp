@@ -24,12 +24,6 @@ enum LoadColumn { kLoadName, kLoadAmount, kLoadColumns };
 /// Longer lists scroll.
 constexpr int kMostRows = 6;
 
-/// Where what a row says is the same.
-bool showTheSame(const Load &a, const Load &b)
-{
-    return a.id == b.id && a.name == b.name && a.mass == b.mass && a.push == b.push;
-}
-
 } // namespace
 
 LoadTree::LoadTree(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
@@ -78,11 +72,26 @@ void LoadTree::refreshColours()
 void LoadTree::followModel()
 {
     const std::vector<Load> &loads = m_bench.session().model().document.loads;
-    if (std::equal(loads.begin(), loads.end(), m_shown.begin(), m_shown.end(), showTheSame))
+    std::vector<QString> titles;
+    for (const Load &load : loads)
+        titles.push_back(titleOf(load));
+    // Where what a row says is the same.
+    const auto showTheSame = [](const Load &a, const Load &b) {
+        return a.id == b.id && a.mass == b.mass && a.push == b.push;
+    };
+    if (titles == m_titles &&
+        std::equal(loads.begin(), loads.end(), m_shown.begin(), m_shown.end(), showTheSame))
         return;
     m_shown = loads;
+    m_titles = std::move(titles);
     writeRows();
     showSelection();
+}
+
+QString LoadTree::titleOf(const Load &load) const
+{
+    return loadTitle(load,
+                     QString::fromStdString(m_bench.session().model().nameOf(load.section)));
 }
 
 void LoadTree::writeRows()
@@ -109,7 +118,7 @@ void LoadTree::writeRows()
         }
         item->setIcon(kLoadName,
                       rowIcon(load.isPush() ? QStringLiteral("push") : QStringLiteral("weight")));
-        item->setText(kLoadName, loadName(load));
+        item->setText(kLoadName, m_titles[i]);
         item->setText(kLoadAmount, loadAmount(load, locale()) + QStringLiteral("  "));
     }
     fit();
@@ -129,7 +138,7 @@ void LoadTree::rename(QTreeWidgetItem *item)
         return;
     const QScopedValueRollback filling(m_isFilling, true);
     const Load &load = m_shown[static_cast<std::size_t>(row)];
-    const QString name = typedName(item, loadName(load));
+    const QString name = typedName(item, m_titles[static_cast<std::size_t>(row)]);
     if (name.isEmpty())
         return;
     // Only after the editor has gone: the commit writes the row anew.

@@ -28,6 +28,7 @@ public:
 
 private:
     void followModel();
+    QString titleOf(const Load &load) const;
     void writeRows();
     void fit();
     void rename(QTreeWidgetItem *item);
@@ -38,6 +39,7 @@ private:
     QLabel *m_title = nullptr;
     QTreeWidget *m_tree = nullptr;
     std::vector<Load> m_shown; // what the rows are of
+    std::vector<QString> m_titles;
     bool m_isFilling = false;
 };
 

@@ -177,8 +177,10 @@ void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
                  const QLocale &locale, int most)
 {
     const std::vector<Box2> covered = pen.room().taken(); // before any arrow is
+    // Forces are known of what holds: a joint that is pulled open there carries nothing, and is no
+    // fault that is to be red.
     const auto colourOf = [&](const ForceMark &mark) {
-        return mark.isOpen ? pen.style().problem : isOlder ? pen.style().muted : pen.style().text;
+        return mark.isOpen || isOlder ? pen.style().muted : pen.style().text;
     };
     std::vector<Told> told;
     const std::vector<ForceMark> forces = toldApart(pen, all);

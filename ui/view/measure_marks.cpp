@@ -196,12 +196,14 @@ Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadI
     return signs;
 }
 
-void dropWordsOfOthers(Signs &signs)
+void dropWordsOfOthers(Signs &signs, bool keepsLoads)
 {
     Signs kept;
     for (const Sign &sign : signs) {
         const auto *label = std::get_if<sign::Label>(&sign);
-        if (!label || (label->role != SignRole::Dimension && label->role != SignRole::Load))
+        const bool isOfOthers = label && (label->role == SignRole::Dimension ||
+                                          (label->role == SignRole::Load && !keepsLoads));
+        if (!isOfOthers)
             kept.add(sign);
     }
     signs = std::move(kept);

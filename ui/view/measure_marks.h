@@ -16,7 +16,7 @@ Signs dimensionSigns(const Model &model, DimensionId lit);
 Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadId selected);
 
 /// While the hand is busy the words of what it does not hold are only in the way.
-void dropWordsOfOthers(Signs &signs);
+void dropWordsOfOthers(Signs &signs, bool keepsLoads);
 
 /// The level one along the ground, where that is seen, else at the lower edge; the upright one at
 /// the left edge, where it is in nobody's way.

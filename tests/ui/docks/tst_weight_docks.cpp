@@ -235,6 +235,13 @@ void TestWeightDocks::theOutlineListsThem()
     QCOMPARE(tree->topLevelItem(0)->text(0), QStringLiteral("Cup"));
     session().history()->undo();
     QVERIFY(!isShown("loadTree"));
+    // Two without names of their own are told apart by where they hang.
+    hang("");
+    QCOMPARE(tree->topLevelItem(0)->text(0), QStringLiteral("Plate"));
+    const Document &now = session().committed().document;
+    session().commit(QStringLiteral("Rename"),
+                     *renameSection(now, now.sections.front()->id, "Body"));
+    QCOMPARE(tree->topLevelItem(0)->text(0), QStringLiteral("Body"));
 }
 
 FFF_TEST_WITH(TestWeightDocks, [](int argc, char *argv[]) {
