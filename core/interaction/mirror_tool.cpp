@@ -93,10 +93,8 @@ void MirrorTool::mark(GestureContext &context, bool)
     if (!isPlaneKnown())
         return;
     sign::Region plane = planeMark(mirrorPlane(context.model, m_choice), context);
-    std::vector<Vec3> edge = plane.outline;
-    edge.push_back(edge.front());
+    plane.role = SignRole::Mirror;
     context.overlay.held.add(std::move(plane));
-    context.overlay.held.add(sign::Line{SignRole::Guide, std::move(edge)});
 }
 
 GestureReply MirrorTool::cancel(GestureContext &context)

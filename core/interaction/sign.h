@@ -42,6 +42,7 @@ enum class SignRole {
     Load,
     LoadInHand, // that the cursor is over, or moves
     Traced,     // what would be made of a picture
+    Mirror,     // the plane that something is mirrored across
 };
 
 namespace sign {

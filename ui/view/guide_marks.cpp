@@ -13,6 +13,7 @@ constexpr int kLongEvery = 5;                                 // every so many
 constexpr double kShortGuideTick = 4.0, kLongGuideTick = 7.0; // px, to each side
 constexpr double kLeastTickPixels = 5.0;                  // nearer to each other they are left out
 constexpr double kCaughtRadius = 6.0, kTurnoutHalf = 3.5; // px
+constexpr double kFreeBeside = 4.0, kFreePiece = 20.0;    // px
 
 void addTicks(const MarkPen &pen, const Frame &canvas, const sign::Guides::Loop &loop,
               QPainterPath &path)
@@ -38,6 +39,21 @@ void addTicks(const MarkPen &pen, const Frame &canvas, const sign::Guides::Loop 
     }
 }
 
+/// No words come onto it.
+void keepFree(MarkPen &pen, const Frame &canvas, const sign::Guides::Loop &loop)
+{
+    QPointF from = pen.screen(canvas.toWorld(loop.points.front()));
+    const std::size_t count = loop.points.size();
+    for (std::size_t i = 1; i < count + (loop.isOpen ? 0 : 1); ++i) {
+        const QPointF to = pen.screen(canvas.toWorld(loop.points[i % count]));
+        const QPointF way = to - from;
+        if (i + 1 < count && std::hypot(way.x(), way.y()) < kFreePiece)
+            continue;
+        pen.keepFree(from, to, kFreeBeside);
+        from = to;
+    }
+}
+
 } // namespace
 
 void paintGuides(MarkPen &pen, const sign::Guides &guides)
@@ -59,6 +75,7 @@ void paintGuides(MarkPen &pen, const sign::Guides &guides)
             stroke.setDashPattern({4.0, 3.0});
         }
         pen.cased(line, stroke);
+        keepFree(pen, guides.canvas, loop);
         QPainterPath ticks;
         addTicks(pen, guides.canvas, loop, ticks);
         pen.painter().strokePath(ticks, roundPen(colour, 0.7 * kCutWidth));

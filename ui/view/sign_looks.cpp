@@ -43,6 +43,13 @@ constexpr RoleLook kLooks[] = {
     {SignRole::Doubt, {.colour = &ViewStyle::warning}},
     {SignRole::Load, {.colour = &ViewStyle::text, .radius = 4.5}},
     {SignRole::Traced, {.colour = &ViewStyle::guide, .width = 1.6}},
+    {SignRole::Mirror,
+     {.colour = &ViewStyle::symmetry,
+      .width = 1.6,
+      .dash = 6.0,
+      .gap = 4.0,
+      .fill = 0.08,
+      .isCased = false}},
     {SignRole::LoadInHand, {.colour = &ViewStyle::accent, .radius = 6.0}},
 };
 

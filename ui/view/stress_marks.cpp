@@ -163,7 +163,7 @@ StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength, do
     StressMarks marks;
     marks.least = least;
     marks.lines = stressLines(*analysis, strength, marks.least);
-    marks.isKnown = areStressesKnown(strength);
+    marks.verdict = strength.verdict;
     marks.isRated = std::all_of(strength.bodies.begin(), strength.bodies.end(),
                                 [](const BodyStrength &body) { return body.strength.has_value(); });
     if (strength.worst >= 0)
@@ -185,8 +185,12 @@ double worstShown(const StressMarks &marks)
 
 QString withoutLines(const StressMarks &marks, const QLocale &locale)
 {
-    if (!marks.isKnown)
-        return StressTexts::tr("Stress unknown");
+    if (marks.verdict == HoldVerdict::Unstable)
+        return StressTexts::tr("It does not stand; no stress is shown.");
+    if (marks.verdict == HoldVerdict::PullsOut)
+        return StressTexts::tr("A joint is pulled open; no stress is shown.");
+    if (marks.verdict == HoldVerdict::NotWorkedOut)
+        return StressTexts::tr("Whether it holds could not be worked out.");
     if (!marks.isRated)
         return StressTexts::tr("Strength unknown");
     //: %1 is a number of percent

@@ -28,11 +28,11 @@ struct StressMarks
     double safety = 0.0;                   // factor that stress is judged with; 0: not said
     double limit = 0.0;            // MPa: what the sheet bears that is strained most; 0: not known
     std::vector<ForceMark> forces; // at feet and joints
-    bool isKnown = true;           // forces are known and can be trusted
-    bool isRated = true;           // of all sheets it is known what they bear
-    bool isOlder = false;          // than the model that is shown
-    int lit = -1;                  // the line that is ringed; −1: none
-    bool hasCard = false;          // what is known of that one is shown, too
+    HoldVerdict verdict = HoldVerdict::Holds;
+    bool isRated = true;  // of all sheets it is known what they bear
+    bool isOlder = false; // than the model that is shown
+    int lit = -1;         // the line that is ringed; −1: none
+    bool hasCard = false; // what is known of that one is shown, too
 };
 
 /// Of what was worked out, without forces.

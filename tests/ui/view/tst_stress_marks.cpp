@@ -250,7 +250,8 @@ void TestStressMarks::whatIsNotKnownIsSaid()
     QCOMPARE(wordsOf(file->document), QStringLiteral("lines"));
     QCOMPARE(wordsOf(unrated), QStringLiteral("Strength unknown"));
     // In the air.
-    QCOMPARE(wordsOf(moveAll(file->document, Vec3(0, 50, 0))), QStringLiteral("Stress unknown"));
+    QCOMPARE(wordsOf(moveAll(file->document, Vec3(0, 50, 0))),
+             QStringLiteral("It does not stand; no stress is shown."));
 }
 
 // Wrong: a card that runs out of the view.
