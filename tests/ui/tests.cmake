@@ -65,6 +65,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/tst_lengths
     ui/tst_measures
     ui/tst_names_in_german
+    ui/tst_contrast
     ui/tst_everything_is_told
     ui/tst_nothing_is_cut
     ui/tst_plain_words

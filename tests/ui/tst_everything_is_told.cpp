@@ -6,7 +6,12 @@
 #include "tests/ui/every_page.h"
 #include "ui/base/theme.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QAccessible>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTabBar>
 
 using namespace fff;
 using namespace fff::test;

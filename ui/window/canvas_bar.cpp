@@ -260,6 +260,7 @@ QWidget *CanvasBar::cellOf(const CommandGroup &group, std::string_view main)
         button->setToolButtonStyle(Qt::ToolButtonTextOnly); // its group says what it is
         row->addWidget(button);
     }
+    dress(cell); // what is said before buttons was black in the dark
     return cell;
 }
 
