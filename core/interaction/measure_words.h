@@ -6,9 +6,9 @@
 
 namespace fff::hints {
 
-inline constexpr Text kMeasureFrom =
-    FFF_TEXT("Hint", "Drag from one place to another to measure; <kbd>Ctrl</kbd> does not snap. "
-                     "<kbd>Esc</kbd> ends.");
+inline constexpr Text kMeasureFrom = FFF_TEXT(
+    "Hint", "Drag from one place to another to measure; <kbd>Ctrl</kbd> turns snapping off. "
+            "<kbd>Esc</kbd> ends.");
 inline constexpr Text kSecondPlace =
     FFF_TEXT("Hint", "Move to the second place. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kMeasured =

@@ -15,17 +15,17 @@ inline constexpr Text kPenFirstPoint = FFF_TEXT(
 inline constexpr Text kPenPoint =
     FFF_TEXT("Hint", "Click to set a point, drag to bend; <kbd>Enter</kbd> closes, "
                      "<kbd>Backspace</kbd> takes one back.");
-inline constexpr Text kPenSnapped =
-    FFF_TEXT("Hint", "Click to set a point, drag to bend; <kbd>Enter</kbd> closes, "
-                     "<kbd>Backspace</kbd> takes one back. <kbd>Ctrl</kbd> click does not snap.");
+inline constexpr Text kPenSnapped = FFF_TEXT(
+    "Hint", "Click to set a point, drag to bend; <kbd>Enter</kbd> closes, "
+            "<kbd>Backspace</kbd> takes one back. <kbd>Ctrl</kbd>+click sets it without snapping.");
 inline constexpr Text kPenCrosses =
     FFF_TEXT("Hint", "The contour crosses itself: <kbd>Enter</kbd> keeps the largest loop, "
                      "<kbd>Backspace</kbd> takes a point back.");
 inline constexpr Text kPenBending = FFF_TEXT(
     "Hint", "Drag to bend; <kbd>Ctrl</kbd> makes a corner, <kbd>Shift</kbd> holds the direction.");
-inline constexpr Text kPenOnPoint = FFF_TEXT(
-    "Hint",
-    "Drag to move the point; <kbd>Ctrl</kbd> does not snap, <kbd>Shift</kbd> holds the direction.");
+inline constexpr Text kPenOnPoint =
+    FFF_TEXT("Hint", "Drag to move the point; <kbd>Ctrl</kbd> turns snapping off, <kbd>Shift</kbd> "
+                     "holds the direction.");
 inline constexpr Text kPenOnHandle =
     FFF_TEXT("Hint", "Drag the handle to bend; <kbd>Ctrl</kbd> makes a corner.");
 inline constexpr Text kPenClosing =

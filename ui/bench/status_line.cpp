@@ -73,7 +73,17 @@ StatusLine::StatusLine(Workbench &bench, KeysOf keysOf, QWidget *parent)
             showHint();
         }
     });
-    connect(&bench.session(), &Session::modelChanged, this, &StatusLine::showNumbers);
+    connect(&bench.session(), &Session::modelChanged, this, [this] {
+        if (m_isOfHistory)
+            endSaid();
+        showNumbers();
+    });
+    // Who takes up a tool has read it.
+    connect(&bench, &Workbench::viewStateChanged, this, [this] {
+        const void *tool = m_bench.interaction().tool();
+        if (m_held.isActive() && tool && tool != m_saidWith)
+            endSaid();
+    });
     connect(&bench.session(), &Session::analysisChanged, this, &StatusLine::showNumbers);
     showHint();
     showNumbers();
@@ -128,8 +138,17 @@ void StatusLine::sayMarked(const QString &sentence)
         showHint();
         return;
     }
+    m_isOfHistory = false;
+    m_saidWith = m_bench.interaction().tool();
     showSentence(sentence, false);
     m_held.start();
+}
+
+void StatusLine::endSaid()
+{
+    m_isOfHistory = false;
+    m_held.stop();
+    showHint();
 }
 
 void StatusLine::setStanding(const QString &sentence)
@@ -139,12 +158,21 @@ void StatusLine::setStanding(const QString &sentence)
     showHint();
 }
 
+void StatusLine::setElsewhere(const QString &marked)
+{
+    if (m_elsewhere == marked)
+        return;
+    m_elsewhere = marked;
+    showHint();
+}
+
 void StatusLine::sayUndone(const QString &step)
 {
     const QString name = step.toHtmlEscaped(), keys = m_keysOf("edit.redo").toHtmlEscaped();
     sayMarked(keys.isEmpty()
                   ? tr("Undid \u201c%1\u201d.").arg(name)
                   : tr("Undid \u201c%1\u201d. <kbd>%2</kbd> brings it back.").arg(name, keys));
+    m_isOfHistory = true;
 }
 
 void StatusLine::sayRedone(const QString &step)
@@ -152,6 +180,7 @@ void StatusLine::sayRedone(const QString &step)
     const QString name = step.toHtmlEscaped(), keys = m_keysOf("edit.undo").toHtmlEscaped();
     sayMarked(keys.isEmpty() ? tr("Redid “%1”.").arg(name)
                              : tr("Redid “%1”. <kbd>%2</kbd> takes it back.").arg(name, keys));
+    m_isOfHistory = true;
 }
 
 void StatusLine::refresh()
@@ -188,7 +217,8 @@ void StatusLine::showHint()
         m_held.start();
     } else if (!m_held.isActive() || m_bench.interaction().hasGesture()) {
         m_held.stop();
-        showSentence(hintSentence(hint, m_keysOf("edit.undo")), false);
+        showSentence(
+            m_elsewhere.isEmpty() ? hintSentence(hint, m_keysOf("edit.undo")) : m_elsewhere, false);
     }
 }
 

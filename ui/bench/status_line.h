@@ -31,6 +31,8 @@ public:
     void sayRedone(const QString &step);
     /// Said in the place of hints as long as it is not empty: there is no view to give any.
     void setStanding(const QString &sentence);
+    /// Said in the place of hints of the view as long as the hand is elsewhere; with marks.
+    void setElsewhere(const QString &marked);
     /// In the colours of the theme.
     void refresh();
 
@@ -41,6 +43,7 @@ private:
     QWidget *makeUnits();
     void showHint();
     void showSentence(const QString &marked, bool isRefusal);
+    void endSaid();
     void showNumbers();
     void showFields();
     QLabel *addField(const char *objectName, const QString &name);
@@ -51,9 +54,11 @@ private:
     SentenceLabel *m_sentence = nullptr;
     QLabel *m_count = nullptr, *m_size = nullptr, *m_mass = nullptr;
     QToolButton *m_units = nullptr;
-    QString m_standing;
+    QString m_standing, m_elsewhere;
     QTimer m_held; // a refusal or an answer stays while it runs
     bool m_isRefusal = false;
+    bool m_isOfHistory = false;       // until the next change
+    const void *m_saidWith = nullptr; // the tool that was in the hand then
 };
 
 } // namespace fff::ui

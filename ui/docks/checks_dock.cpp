@@ -391,10 +391,23 @@ void ChecksDock::goToProblem(int step)
     const auto [row, place] = all[static_cast<std::size_t>(at)];
     entryAt(row).place = place;
     choose(row, true);
-    Q_EMIT said(tr("Problem %1 of %2: %3.")
-                    .arg(at + 1)
-                    .arg(count)
-                    .arg(checkWords(entryAt(row).finding(), m_list.model()).title.toHtmlEscaped()));
+    // By rows, as they are numbered.
+    int number = 0, rows = 0, places = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        rows += i == 0 || all[i].first != all[i - 1].first ? 1 : 0;
+        number = all[i].first == row && number == 0 ? rows : number;
+        places += all[i].first == row ? 1 : 0;
+    }
+    const QString title = checkWords(entryAt(row).finding(), m_list.model()).title.toHtmlEscaped();
+    Q_EMIT said(places == 1
+                    ? tr("Problem %1 of %2: %3.").arg(number).arg(rows).arg(title)
+                    //: %3 and %4 are a place of several that have the same problem, %5 is its title
+                    : tr("Problem %1 of %2, place %3 of %4: %5.")
+                          .arg(number)
+                          .arg(rows)
+                          .arg(place + 1)
+                          .arg(places)
+                          .arg(title));
 }
 
 void ChecksDock::choose(Subject subject)

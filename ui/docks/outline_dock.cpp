@@ -257,7 +257,7 @@ void OutlineDock::followModel()
         m_shown = sections;
         m_drafts = std::move(drafts);
         place(document, moved);
-        m_empty->setVisible(m_items.empty());
+        m_empty->setVisible(m_items.empty() && m_bench.session().model().sectionCount() == 0);
         showColumns();
     }
     if (!hasSameRows) {

@@ -239,6 +239,8 @@ void MainWindow::makeDocks()
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
     connect(m_actions, &ActionSet::refused, m_status, &StatusLine::say);
     connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_sheets, &SheetsDock::said, m_status, &StatusLine::say);
+    connect(m_sheets, &SheetsDock::hinted, m_status, &StatusLine::setElsewhere);
     connect(m_checks, &ChecksDock::viewWanted, m_view, qOverload<>(&QWidget::setFocus));
     connect(m_checks, &ChecksDock::stepsWanted, this,
             [this] { run(QStringLiteral("check.showAssembly")); });
