@@ -949,7 +949,7 @@
     <message>
         <source>Weakest is %1, %2: %3 % of its strength.</source>
         <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a number of percent</extracomment>
-        <translation>Am schwächsten ist %1, %2: %3 % seiner Festigkeit.</translation>
+        <translation>Am schwächsten ist %1, %2: %3 % ihrer Festigkeit.</translation>
     </message>
     <message>
         <source>The neck of %1 is strained to %2 % of its strength.</source>
@@ -5097,6 +5097,10 @@
         <source>coordinates up to 1e12</source>
         <translation>Koordinaten bis 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>platzierte Objekte</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5481,7 +5485,7 @@
         <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück. Mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein.</translation>
     </message>
     <message>
@@ -5493,7 +5497,7 @@
         <translation>Ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Ziehen verschiebt den Punkt; mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
     </message>
     <message>
@@ -5882,7 +5886,7 @@
         <translation>Der Buchstabe „%1“ lässt sich nicht gravieren.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Zum Messen von einem Ort zum anderen ziehen; &lt;kbd&gt;Strg&lt;/kbd&gt; fängt nichts. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
     </message>
     <message>
@@ -9893,6 +9897,10 @@
         <extracomment>%1 is what a link did, as it was said before: &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Erledigt: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Problem %1 von %2, Stelle %3 von %4: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9976,7 +9984,7 @@
         <translation>Breite der Stege</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Anschnitt</translation>
     </message>
     <message>
@@ -9996,12 +10004,23 @@
         <translation>Von Teilen, die aneinander liegen, wo der Abstand 0 ist</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Welcher der nummerierten Schlitze einer Passprobe die Platte am besten hält (zu schneiden aus dem Menü Datei oder aus den Dateien für die Werkstatt). Er setzt das Spiel.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Schlitz, der passt</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Welcher der nummerierten Schlitze einer Passprobe die Platte am besten hält (zu schneiden aus dem Menü Datei oder aus den Dateien für die Werkstatt). Er setzt das Spiel.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>etwa %n min</numerusform>
+            <numerusform>etwa %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10590,6 +10609,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>Die Schnittfuge von %1 ist 0: Schlitze werden weiter und Teile kleiner, um so viel, wie die Maschine wegnimmt.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>Die Platten sind größer als das Bett von %1 mit %2. Kleinere wählen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10676,6 +10700,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>Beide Teile einer Verbindung tragen ihre Nummer in derselben Farbe: für Papier und für Maschinen, denen man je Farbe sagt, was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>Unsicher? Zuerst eine Passprobe schneiden…</translation>
     </message>
 </context>
 <context>
@@ -12167,12 +12195,12 @@
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 kennt keine Einheit und wurde %2 groß gemacht. Die Größe steht unter Vorlagen.</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 ist zu groß für ein Modell und wurde daher %2 groß gemacht. Die Größe steht unter Vorlagen.</translation>
     </message>
@@ -14767,6 +14795,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>Reststück %1 bleibt ganz</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14837,14 +14870,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%n angeheftete Teile hatten an ihren Stellen keinen Platz.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>etwa %n min</numerusform>
-            <numerusform>etwa %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Reststück hinzufügen</translation>
@@ -14862,19 +14887,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 Schnitt</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Wird ausgelegt… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>behält das Beste bisher, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Wird ausgelegt… %1 % genutzt</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 auf %2 · %3 % gefüllt · %4 Schnitt</translation>
+        <translation>%1 auf %2 · %3 % genutzt · %4 Schnitt</translation>
     </message>
 </context>
 <context>
@@ -14931,6 +14956,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Angeheftet: bleibt, wo es liegt. Klicken löst es.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Ein Teil an eine andere Stelle ziehen oder zum Auswählen anklicken.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Klicken löst &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; ist zu groß für seine Platte. Klicken wählt es aus.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; an eine andere Stelle ziehen oder zum Auswählen anklicken.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; an eine andere Stelle ziehen. &lt;kbd&gt;R&lt;/kbd&gt; dreht es, &lt;kbd&gt;P&lt;/kbd&gt; heftet es an.</translation>
     </message>
 </context>
 <context>
@@ -15810,7 +15859,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>Share of its strength under a load that stays: acrylic creeps and crazes</source>
-        <translation>Von seiner Festigkeit, wenn die Last bleibt: Acryl kriecht und wird rissig</translation>
+        <translation>Von ihrer Festigkeit, wenn die Last bleibt: Acryl kriecht und wird rissig</translation>
     </message>
     <message>
         <source>0 means not rated</source>
@@ -15853,10 +15902,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Export fragt einmal, wie dick die Platten sind, die Sie schneiden werden</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Platten</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>so viele wie nötig</translation>
     </message>
@@ -15887,6 +15932,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Behalten, wo eine Schnittfuge eingegeben wurde, während diese Maschine im Export gewählt war</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Größe und Anzahl</translation>
     </message>
 </context>
 <context>
@@ -16056,10 +16105,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Nichts über %1&#x202f;%</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Spannung unbekannt</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Festigkeit unbekannt</translation>
     </message>
@@ -16072,6 +16117,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Safety factor %1</source>
         <extracomment>in the legend of stress: %1 is the safety factor, such as 2</extracomment>
         <translation>Sicherheitsfaktor %1</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Es steht nicht; Spannungen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Eine Verbindung wird auseinandergezogen; Spannungen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Ob es hält, konnte nicht ermittelt werden.</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16215,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Griffe</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>In der Ansicht bewegen, drehen und skalieren, mit Griffen oder Zahlen</translation>
     </message>
@@ -16172,6 +16225,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Eine Linie über etwas darin ziehen, dessen Länge bekannt ist</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Bewegen und drehen</translation>
     </message>
 </context>
 <context>
@@ -16241,10 +16298,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>In Scheiben schneiden, die ihm folgen</translation>
     </message>
     <message>
-        <source>its file is missing</source>
-        <translation>ihre Datei fehlt</translation>
-    </message>
-    <message>
         <source>Stand upright</source>
         <translation>Aufrichten</translation>
     </message>
@@ -16265,31 +16318,9 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Ein Netz, ein Bild oder eine Zeichnung hinzufügen, auf das Fenster ziehen oder einfügen. Gezeichnete Scheiben rasten ein, wo ihre Ebene ein Netz schneidet, und an Linien einer Zeichnung in ihrer Ebene.</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Inhalt</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n Dreieck</numerusform>
-            <numerusform>%n Dreiecke</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 Pixel</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n Linie</numerusform>
-            <numerusform>%n Linien</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16326,6 +16357,25 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Um Z gedreht, zuletzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Netz, %n Dreieck</numerusform>
+            <numerusform>Netz, %n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Bild, %1 × %2 Pixel</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Zeichnung, %n Linie</numerusform>
+            <numerusform>Zeichnung, %n Linien</numerusform>
+        </translation>
     </message>
 </context>
 <context>

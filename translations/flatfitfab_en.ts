@@ -767,6 +767,17 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>about %n min</numerusform>
+            <numerusform>about %n min</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::ExportQuestions</name>
     <message numerus="yes">
         <source>%n offcut(s) are used up first.</source>
@@ -928,14 +939,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>about %n min</numerusform>
-            <numerusform>about %n min</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n sheet(s) more than there are</source>
         <translation>
             <numerusform>%n sheet more than there are</numerusform>
@@ -1082,17 +1085,17 @@
 <context>
     <name>fff::ui::TemplatesDock</name>
     <message numerus="yes">
-        <source>%n triangles</source>
+        <source>Mesh, %n triangle(s)</source>
         <translation>
-            <numerusform>%n triangle</numerusform>
-            <numerusform>%n triangles</numerusform>
+            <numerusform>Mesh, %n triangle</numerusform>
+            <numerusform>Mesh, %n triangles</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n lines</source>
+        <source>Drawing, %n line(s)</source>
         <translation>
-            <numerusform>%n line</numerusform>
-            <numerusform>%n lines</numerusform>
+            <numerusform>Drawing, %n line</numerusform>
+            <numerusform>Drawing, %n lines</numerusform>
         </translation>
     </message>
 </context>

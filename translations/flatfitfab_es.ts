@@ -5097,6 +5097,10 @@
         <source>coordinates up to 1e12</source>
         <translation>coordenadas de hasta 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>objetos colocados</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5681,7 +5685,7 @@
         <translation>El carácter «%1» no se puede grabar.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Arrastra de un punto a otro para medir; con &lt;kbd&gt;Ctrl&lt;/kbd&gt; no se ajusta. &lt;kbd&gt;Esc&lt;/kbd&gt; termina.</translation>
     </message>
     <message>
@@ -5788,7 +5792,7 @@
         <translation>Haz clic para poner un punto, arrastra para curvar; &lt;kbd&gt;Intro&lt;/kbd&gt; cierra, &lt;kbd&gt;Retroceso&lt;/kbd&gt; quita uno.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Haz clic para poner un punto, arrastra para curvar; &lt;kbd&gt;Intro&lt;/kbd&gt; cierra, &lt;kbd&gt;Retroceso&lt;/kbd&gt; quita uno. Con &lt;kbd&gt;Ctrl&lt;/kbd&gt;, el clic no se ajusta.</translation>
     </message>
     <message>
@@ -5800,7 +5804,7 @@
         <translation>Arrastra para curvar; &lt;kbd&gt;Ctrl&lt;/kbd&gt; hace una esquina, &lt;kbd&gt;Mayús&lt;/kbd&gt; mantiene la dirección.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Arrastra para mover el punto; con &lt;kbd&gt;Ctrl&lt;/kbd&gt; no se ajusta, &lt;kbd&gt;Mayús&lt;/kbd&gt; mantiene la dirección.</translation>
     </message>
     <message>
@@ -9893,6 +9897,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Si haces clic: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Problema %1 de %2, lugar %3 de %4: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9976,7 +9984,7 @@
         <translation>Ancho de los puentes</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Entrada de corte</translation>
     </message>
     <message>
@@ -9996,12 +10004,23 @@
         <translation>De piezas que se tocan, donde la separación es 0</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Cuál de las ranuras numeradas de una pieza de prueba sujeta mejor la plancha (córtala: menú Archivo, o entre los archivos para el taller). Fija la holgura.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Ranura que encaja</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Cuál de las ranuras numeradas de una pieza de prueba sujeta mejor la plancha (córtala: menú Archivo, o entre los archivos para el taller). Fija la holgura.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>aprox. %n min</numerusform>
+            <numerusform>aprox. %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10590,6 +10609,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>El ancho de corte de %1 es 0: las ranuras quedan más anchas y las piezas más pequeñas, según lo que quite la máquina.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>Las planchas son más grandes que la cama de %1, de %2. Elige otras más pequeñas.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10676,6 +10700,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>Las dos piezas de una unión llevan su número en el mismo color: para papel y para máquinas a las que se dice qué hacer con cada color</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>¿No estás seguro? Corta antes una pieza de prueba…</translation>
     </message>
 </context>
 <context>
@@ -12163,12 +12191,12 @@
         <translation>Leyendo %1…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 es demasiado grande para un modelo, así que ahora mide %2. Su tamaño está en Plantillas.</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 no tiene unidad, así que ahora mide %2. Su tamaño está en Plantillas.</translation>
     </message>
@@ -14767,6 +14795,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>El retal de %1 queda entero</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14837,14 +14870,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 y %n más no caben en sus planchas.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>aprox. %n min</numerusform>
-            <numerusform>aprox. %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Añadir un retal</translation>
@@ -14862,19 +14887,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 de corte</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Colocando… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>conserva la mejor hasta ahora, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Colocando… %1 % aprovechado</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 en %2 · %3 % lleno · %4 de corte</translation>
+        <translation>%1 en %2 · %3 % aprovechado · %4 de corte</translation>
     </message>
 </context>
 <context>
@@ -14931,6 +14956,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Fijada: se queda donde está. Haz clic para soltarla.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Arrastra una pieza a otro sitio o haz clic en ella para seleccionarla.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Haz clic para soltar &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; es demasiado grande para su plancha. Haz clic para seleccionarla.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Arrastra &lt;b&gt;%1&lt;/b&gt; a otro sitio o haz clic para seleccionarla.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Arrastra &lt;b&gt;%1&lt;/b&gt; a otro sitio. &lt;kbd&gt;R&lt;/kbd&gt; la gira, &lt;kbd&gt;P&lt;/kbd&gt; la fija.</translation>
     </message>
 </context>
 <context>
@@ -15853,10 +15902,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Al exportar se pregunta una vez qué grosor tienen las planchas que va a cortar</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Planchas</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>tantas como hagan falta</translation>
     </message>
@@ -15887,6 +15932,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Se guarda donde se escribió un ancho de corte mientras esa máquina estaba elegida al exportar</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Tamaño y cantidad</translation>
     </message>
 </context>
 <context>
@@ -16051,10 +16100,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Factor de seguridad %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Tensión desconocida</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Resistencia desconocida</translation>
     </message>
@@ -16072,6 +16117,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Movimiento %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>No se tiene en pie; no se muestra la tensión.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Se abre una unión; no se muestra la tensión.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>No se pudo calcular si aguanta.</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16215,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Tiradores</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>Moverla, girarla y escalarla en la vista, con tiradores o números</translation>
     </message>
@@ -16172,6 +16225,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Dibujar una línea sobre algo de ella cuya longitud conozcas</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Mover y girar</translation>
     </message>
 </context>
 <context>
@@ -16217,14 +16274,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Contiene</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>falta su archivo</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Dimensiones</translation>
     </message>
@@ -16250,6 +16299,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -16271,25 +16321,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Ocultar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n triángulo</numerusform>
-            <numerusform>%n triángulos</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 píxeles</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n línea</numerusform>
-            <numerusform>%n líneas</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16326,6 +16357,25 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Girada alrededor de Z, al final</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Malla, %n triángulo</numerusform>
+            <numerusform>Malla, %n triángulos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Imagen, %1 × %2 píxeles</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Dibujo, %n línea</numerusform>
+            <numerusform>Dibujo, %n líneas</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -5097,6 +5097,10 @@
         <source>coordinates up to 1e12</source>
         <translation>des coordonnées jusqu’à 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>objets placés</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5681,7 +5685,7 @@
         <translation>Le caractère «&#x202f;%1&#x202f;» ne peut pas être gravé.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Faites glisser d’un endroit à un autre pour mesurer&#x202f;; &lt;kbd&gt;Ctrl&lt;/kbd&gt; n’accroche pas. &lt;kbd&gt;Échap&lt;/kbd&gt; termine.</translation>
     </message>
     <message>
@@ -5788,7 +5792,7 @@
         <translation>Cliquez pour placer un point, faites glisser pour courber&#x202f;; &lt;kbd&gt;Entrée&lt;/kbd&gt; ferme, &lt;kbd&gt;Retour arrière&lt;/kbd&gt; en retire un.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Cliquez pour placer un point, faites glisser pour courber&#x202f;; &lt;kbd&gt;Entrée&lt;/kbd&gt; ferme, &lt;kbd&gt;Retour arrière&lt;/kbd&gt; en retire un. Un clic avec &lt;kbd&gt;Ctrl&lt;/kbd&gt; ne s’accroche pas.</translation>
     </message>
     <message>
@@ -5800,7 +5804,7 @@
         <translation>Faites glisser pour courber&#x202f;; &lt;kbd&gt;Ctrl&lt;/kbd&gt; fait un coin, &lt;kbd&gt;Maj&lt;/kbd&gt; garde la direction.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Faites glisser pour déplacer le point&#x202f;; &lt;kbd&gt;Ctrl&lt;/kbd&gt; n’accroche pas, &lt;kbd&gt;Maj&lt;/kbd&gt; garde la direction.</translation>
     </message>
     <message>
@@ -9893,6 +9897,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Si vous cliquez&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Problème %1 sur %2, endroit %3 sur %4&#xa0;: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9976,7 +9984,7 @@
         <translation>Largeur des attaches</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Amorce de découpe</translation>
     </message>
     <message>
@@ -9996,12 +10004,23 @@
         <translation>Des pièces posées l’une contre l’autre, là où l’espacement est de 0</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Laquelle des fentes numérotées d’une pièce d’essai tient le mieux la plaque (à découper : menu Fichier, ou parmi les fichiers pour l’atelier). Elle règle le jeu.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Fente qui convient</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Laquelle des fentes numérotées d’une pièce d’essai tient le mieux la plaque (à découper : menu Fichier, ou parmi les fichiers pour l’atelier). Elle règle le jeu.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>environ %n min</numerusform>
+            <numerusform>environ %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10590,6 +10609,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>Le trait de coupe de %1 est de 0 : les fentes seront plus larges et les pièces plus petites de ce que la machine enlève.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>Les plaques dépassent le plateau de %1, qui mesure %2. Choisissez-en de plus petites.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10676,6 +10700,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>Les deux pièces d’un assemblage portent son numéro dans la même couleur : pour le papier, et pour les machines auxquelles on dit que faire de chaque couleur</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>Pas sûr ? Découpez d’abord une pièce d’essai…</translation>
     </message>
 </context>
 <context>
@@ -12163,12 +12191,12 @@
         <translation>Lecture de %1…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 est trop grand pour un modèle&#xa0;: sa taille a été ramenée à %2. Elle se règle dans Gabarits.</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 ne connaît pas d’unité&#xa0;: sa taille a été fixée à %2. Elle se règle dans Gabarits.</translation>
     </message>
@@ -14767,6 +14795,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>La chute %1 reste entière</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14837,14 +14870,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 et %n autres sont trop grandes pour leurs plaques.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>environ %n min</numerusform>
-            <numerusform>environ %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Ajouter une chute</translation>
@@ -14862,19 +14887,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 de découpe</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Imbrication… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>garde la meilleure jusqu’ici, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Imbrication… utilisation %1 %</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 sur %2 · remplissage %3 % · %4 de découpe</translation>
+        <translation>%1 sur %2 · utilisation %3 % · %4 de découpe</translation>
     </message>
 </context>
 <context>
@@ -14931,6 +14956,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Épinglée : reste où elle est. Cliquez pour la désépingler.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Faites glisser une pièce ailleurs, ou cliquez dessus pour la sélectionner.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Cliquez pour désépingler &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; est trop grande pour sa plaque. Cliquez pour la sélectionner.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Faites glisser &lt;b&gt;%1&lt;/b&gt; ailleurs, ou cliquez pour la sélectionner.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Faites glisser &lt;b&gt;%1&lt;/b&gt; ailleurs. &lt;kbd&gt;R&lt;/kbd&gt; la tourne, &lt;kbd&gt;P&lt;/kbd&gt; l’épingle.</translation>
     </message>
 </context>
 <context>
@@ -15853,10 +15902,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>L’export demande une fois l’épaisseur des plaques que vous allez couper</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Plaques</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>autant qu’il en faut</translation>
     </message>
@@ -15887,6 +15932,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Gardé là où un trait de coupe a été saisi pendant que cette machine était choisie à l’export</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Taille et nombre</translation>
     </message>
 </context>
 <context>
@@ -16051,10 +16100,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Coefficient de sécurité %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Contrainte inconnue</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Résistance inconnue</translation>
     </message>
@@ -16072,6 +16117,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Mouvement %1 ×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Il ne tient pas debout&#x202f;; aucune contrainte n’est montrée.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Un assemblage se déboîte&#x202f;; aucune contrainte n’est montrée.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>On n’a pas pu calculer s’il tient.</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16215,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Poignées</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>Le déplacer, le tourner et le redimensionner dans la vue, avec des poignées ou des nombres</translation>
     </message>
@@ -16172,6 +16225,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Tracer une ligne sur quelque chose dont vous connaissez la longueur</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Déplacer et tourner</translation>
     </message>
 </context>
 <context>
@@ -16217,14 +16274,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Taille</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Contenu</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>son fichier est introuvable</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Encombrement</translation>
     </message>
@@ -16250,6 +16299,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
@@ -16271,25 +16321,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Masquer</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n triangle</numerusform>
-            <numerusform>%n triangles</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 pixels</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n ligne</numerusform>
-            <numerusform>%n lignes</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16326,6 +16357,25 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Tourné autour de Z, en dernier</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Maillage, %n triangle</numerusform>
+            <numerusform>Maillage, %n triangles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Image, %1 × %2 pixels</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Dessin, %n ligne</numerusform>
+            <numerusform>Dessin, %n lignes</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -5097,6 +5097,10 @@
         <source>coordinates up to 1e12</source>
         <translation>coordinate fino a 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>oggetti posizionati</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5681,7 +5685,7 @@
         <translation>Il carattere “%1” non si può incidere.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Trascina da un punto a un altro per misurare; &lt;kbd&gt;Ctrl&lt;/kbd&gt; non aggancia. &lt;kbd&gt;Esc&lt;/kbd&gt; termina.</translation>
     </message>
     <message>
@@ -5788,7 +5792,7 @@
         <translation>Fai clic per inserire un punto, trascina per curvare; &lt;kbd&gt;Invio&lt;/kbd&gt; chiude, &lt;kbd&gt;Backspace&lt;/kbd&gt; ne toglie uno.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Fai clic per inserire un punto, trascina per curvare; &lt;kbd&gt;Invio&lt;/kbd&gt; chiude, &lt;kbd&gt;Backspace&lt;/kbd&gt; ne toglie uno. Il clic con &lt;kbd&gt;Ctrl&lt;/kbd&gt; non aggancia.</translation>
     </message>
     <message>
@@ -5800,7 +5804,7 @@
         <translation>Trascina per curvare; &lt;kbd&gt;Ctrl&lt;/kbd&gt; fa un angolo, &lt;kbd&gt;Maiusc&lt;/kbd&gt; mantiene la direzione.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Trascina per spostare il punto; &lt;kbd&gt;Ctrl&lt;/kbd&gt; non aggancia, &lt;kbd&gt;Maiusc&lt;/kbd&gt; mantiene la direzione.</translation>
     </message>
     <message>
@@ -9893,6 +9897,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Con un clic: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Problema %1 di %2, punto %3 di %4: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9976,7 +9984,7 @@
         <translation>Larghezza ponticelli</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Attacco dei tagli</translation>
     </message>
     <message>
@@ -9996,12 +10004,23 @@
         <translation>Di pezzi accostati, dove la distanza è 0</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Quale delle fessure numerate di un provino d’incastro tiene meglio la lastra (da tagliare: menu File, o tra i file per il laboratorio). Imposta il gioco.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Fessura giusta</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Quale delle fessure numerate di un provino d’incastro tiene meglio la lastra (da tagliare: menu File, o tra i file per il laboratorio). Imposta il gioco.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>circa %n min</numerusform>
+            <numerusform>circa %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10590,6 +10609,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>Il solco di taglio di %1 è 0: le fessure vengono più larghe e i pezzi più piccoli di quanto la macchina asporta.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>Le lastre sono più grandi del piano di %1, che misura %2. Scegline di più piccole.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10676,6 +10700,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>I due pezzi di un incastro ne portano il numero nello stesso colore: per la carta, e per le macchine a cui si dice che cosa fare di ogni colore</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>In dubbio? Taglia prima un provino…</translation>
     </message>
 </context>
 <context>
@@ -12163,12 +12191,12 @@
         <translation>Lettura di %1…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 è troppo grande per un modello, quindi è diventato grande %2. La misura è in Riferimenti.</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 non conosce unità, quindi è diventato grande %2. La misura è in Riferimenti.</translation>
     </message>
@@ -14767,6 +14795,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>Il ritaglio %1 resta intero</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14837,14 +14870,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 e altre %n sono troppo grandi per le loro lastre.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>circa %n min</numerusform>
-            <numerusform>circa %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Aggiungi un ritaglio</translation>
@@ -14862,19 +14887,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 di taglio</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Disposizione… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>tiene la migliore finora, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Disposizione… %1 % utilizzato</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 su %2 · %3 % riempito · %4 di taglio</translation>
+        <translation>%1 su %2 · %3 % utilizzato · %4 di taglio</translation>
     </message>
 </context>
 <context>
@@ -14931,6 +14956,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Fissato: resta dove sta. Fai clic per liberarlo.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Trascina un pezzo altrove, o fai clic per selezionarlo.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Fai clic per liberare &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; è troppo grande per la sua lastra. Fai clic per selezionarlo.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Trascina &lt;b&gt;%1&lt;/b&gt; altrove, o fai clic per selezionarlo.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Trascina &lt;b&gt;%1&lt;/b&gt; altrove. &lt;kbd&gt;R&lt;/kbd&gt; lo ruota, &lt;kbd&gt;P&lt;/kbd&gt; lo fissa.</translation>
     </message>
 </context>
 <context>
@@ -15853,10 +15902,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>L’esportazione chiede una volta quanto sono spesse le lastre che taglierete</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Lastre</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>quante ne servono</translation>
     </message>
@@ -15887,6 +15932,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Conservato dove un solco di taglio è stato scritto mentre quella macchina era scelta nell’esportazione</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Dimensioni e numero</translation>
     </message>
 </context>
 <context>
@@ -16051,10 +16100,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Fattore di sicurezza %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Tensione sconosciuta</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Resistenza sconosciuta</translation>
     </message>
@@ -16072,6 +16117,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Movimento %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Non sta in piedi; le tensioni non vengono mostrate.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Un incastro si sfila; le tensioni non vengono mostrate.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Non si è potuto calcolare se regge.</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16215,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Maniglie</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>Sposta, ruota e scala il riferimento nella vista, con le maniglie o con i numeri</translation>
     </message>
@@ -16172,6 +16225,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Traccia una linea su qualcosa nel riferimento di cui conosci la lunghezza</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Sposta e ruota</translation>
     </message>
 </context>
 <context>
@@ -16217,14 +16274,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Misura</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Contiene</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>manca il suo file</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Estensione</translation>
     </message>
@@ -16250,6 +16299,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -16271,25 +16321,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Nascondi</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n triangolo</numerusform>
-            <numerusform>%n triangoli</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 pixel</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n linea</numerusform>
-            <numerusform>%n linee</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16326,6 +16357,25 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Ruotato attorno a Z, per ultimo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Mesh, %n triangolo</numerusform>
+            <numerusform>Mesh, %n triangoli</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Immagine, %1 × %2 pixel</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Disegno, %n linea</numerusform>
+            <numerusform>Disegno, %n linee</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -5057,6 +5057,10 @@
         <source>coordinates up to 1e12</source>
         <translation>1e12 までの座標</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>配置されたオブジェクト</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5635,7 +5639,7 @@
         <translation>文字「%1」は彫刻できません。</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>ある位置から別の位置へドラッグして測ります。&lt;kbd&gt;Ctrl&lt;/kbd&gt; でスナップしません。&lt;kbd&gt;Esc&lt;/kbd&gt; で終わります。</translation>
     </message>
     <message>
@@ -5742,7 +5746,7 @@
         <translation>クリックで点を打ち、ドラッグで曲げます。&lt;kbd&gt;Enter&lt;/kbd&gt; で閉じ、&lt;kbd&gt;Backspace&lt;/kbd&gt; で 1 つ戻します。</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>クリックで点を打ち、ドラッグで曲げます。&lt;kbd&gt;Enter&lt;/kbd&gt; で閉じ、&lt;kbd&gt;Backspace&lt;/kbd&gt; で 1 つ戻します。&lt;kbd&gt;Ctrl&lt;/kbd&gt; を押しながらクリックするとスナップしません。</translation>
     </message>
     <message>
@@ -5754,7 +5758,7 @@
         <translation>ドラッグで曲げます。&lt;kbd&gt;Ctrl&lt;/kbd&gt; でコーナーにし、&lt;kbd&gt;Shift&lt;/kbd&gt; で方向を保ちます。</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>ドラッグで点を動かします。&lt;kbd&gt;Ctrl&lt;/kbd&gt; でスナップせず、&lt;kbd&gt;Shift&lt;/kbd&gt; で方向を保ちます。</translation>
     </message>
     <message>
@@ -9791,6 +9795,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>クリックすると: %1。</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>問題 %1/%2、箇所 %3/%4: %5。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9874,7 +9882,7 @@
         <translation>ブリッジの幅</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>リードイン</translation>
     </message>
     <message>
@@ -9894,12 +9902,22 @@
         <translation>間隔が 0 で隣り合う部品の辺です</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>テストピースの番号付きスリットのうち、シートを最もよく保持するもの（「ファイル」メニュー、または工房用一式からカットします）。クリアランスを設定します。</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>合ったスリット</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>テストピースの番号付きスリットのうち、シートを最もよく保持するもの（「ファイル」メニュー、または工房用一式からカットします）。クリアランスを設定します。</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>約 %n 分</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10486,6 +10504,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>%1 の切断幅が 0 です: 機械が削る分だけ、スリットは広く、部品は小さくなります。</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>シートが %1 の加工範囲 %2 より大きいです。小さいシートを選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10572,6 +10595,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>接合する 2 つの部品の番号を同じ色にします。紙に印刷するとき、または色ごとに動作を決める加工機で使います</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>迷ったら、まずテストピースをカット…</translation>
     </message>
 </context>
 <context>
@@ -12051,12 +12078,12 @@
         <translation>%1 を読み込んでいます…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 はモデルには大きすぎるため、大きさを %2 にしました。大きさは「下絵」で変えられます。</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 には単位がないため、大きさを %2 にしました。大きさは「下絵」で変えられます。</translation>
     </message>
@@ -14649,6 +14676,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>端材 %1 はそのまま残ります</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14717,13 +14749,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 とほか %n 枚はシートより大きいです。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>約 %n 分</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>端材を追加</translation>
@@ -14740,19 +14765,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · カット長 %2</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>板取り中… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>これまでの最良を残します（%1 秒）</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>板取り中… %1% を使用</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1、%2 · 充填率 %3 % · カット長 %4</translation>
+        <translation>%1、%2 · %3% を使用 · カット長 %4</translation>
     </message>
 </context>
 <context>
@@ -14808,6 +14833,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>ピン留め: この位置に残ります。クリックで解除します。</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>部品をドラッグして移動するか、クリックして選択します。</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>クリックで &lt;b&gt;%1&lt;/b&gt; のピン留めを解除します。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; はシートに入りきりません。クリックで選択します。</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; をドラッグして移動するか、クリックで選択します。</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; をドラッグして移動します。&lt;kbd&gt;R&lt;/kbd&gt; で回転、&lt;kbd&gt;P&lt;/kbd&gt; でピン留めします。</translation>
     </message>
 </context>
 <context>
@@ -15719,10 +15768,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>エクスポート時に一度だけ、切るシートの厚さを尋ねます</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>シート</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>必要なだけ</translation>
     </message>
@@ -15753,6 +15798,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>エクスポートでその加工機が選ばれているときに入力された切断幅です</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>サイズと枚数</translation>
     </message>
 </context>
 <context>
@@ -15915,10 +15964,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>安全率 %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>応力が不明</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>強度が不明</translation>
     </message>
@@ -15936,6 +15981,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>動き %1 ×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>自立しないため、応力は表示しません。</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>接合部が抜けるため、応力は表示しません。</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>耐えるかどうかを計算できませんでした。</translation>
     </message>
 </context>
 <context>
@@ -16021,10 +16078,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>ハンドル</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>ビューの中で、ハンドルまたは数値で移動・回転・拡大縮小します</translation>
     </message>
@@ -16035,6 +16088,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>長さのわかるところに線を引きます</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>移動と回転</translation>
     </message>
 </context>
 <context>
@@ -16080,14 +16137,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>大きさ</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>内容</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>ファイルが見つかりません</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>寸法</translation>
     </message>
@@ -16113,6 +16162,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -16134,23 +16184,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>隠す</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>三角形 %n 個</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 ピクセル</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>線 %n 本</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16187,6 +16220,23 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Z のまわりの回転（最後）</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>メッシュ、三角形 %n 個</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>画像、%1 × %2 ピクセル</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>図面、線 %n 本</numerusform>
+        </translation>
     </message>
 </context>
 <context>

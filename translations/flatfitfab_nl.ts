@@ -5097,6 +5097,10 @@
         <source>coordinates up to 1e12</source>
         <translation>coördinaten tot 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>geplaatste objecten</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5681,7 +5685,7 @@
         <translation>Het teken “%1” is niet te graveren.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Sleep van de ene plek naar de andere om te meten; met &lt;kbd&gt;Ctrl&lt;/kbd&gt; klikt niets vast. &lt;kbd&gt;Esc&lt;/kbd&gt; stopt.</translation>
     </message>
     <message>
@@ -5788,7 +5792,7 @@
         <translation>Klik om een punt te zetten, sleep om te buigen; &lt;kbd&gt;Enter&lt;/kbd&gt; sluit, &lt;kbd&gt;Backspace&lt;/kbd&gt; haalt er een weg.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Klik om een punt te zetten, sleep om te buigen; &lt;kbd&gt;Enter&lt;/kbd&gt; sluit, &lt;kbd&gt;Backspace&lt;/kbd&gt; haalt er een weg. Met &lt;kbd&gt;Ctrl&lt;/kbd&gt; klikt niets vast.</translation>
     </message>
     <message>
@@ -5800,7 +5804,7 @@
         <translation>Sleep om te buigen; &lt;kbd&gt;Ctrl&lt;/kbd&gt; maakt een hoek, &lt;kbd&gt;Shift&lt;/kbd&gt; houdt de richting vast.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Sleep om het punt te verplaatsen; met &lt;kbd&gt;Ctrl&lt;/kbd&gt; klikt het niet vast, &lt;kbd&gt;Shift&lt;/kbd&gt; houdt de richting vast.</translation>
     </message>
     <message>
@@ -9893,6 +9897,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Als je klikt: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Probleem %1 van %2, plek %3 van %4: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9976,7 +9984,7 @@
         <translation>Breedte van bruggetjes</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Aanloop van sneden</translation>
     </message>
     <message>
@@ -9996,12 +10004,23 @@
         <translation>Van onderdelen die tegen elkaar liggen, waar de tussenruimte 0 is</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Welke van de genummerde sleuven van een pasproef de plaat het best vasthoudt (te snijden: menu Bestand, of bij de bestanden voor de werkplaats). Stelt de speling in.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Passende sleuf</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Welke van de genummerde sleuven van een pasproef de plaat het best vasthoudt (te snijden: menu Bestand, of bij de bestanden voor de werkplaats). Stelt de speling in.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>ongeveer %n min</numerusform>
+            <numerusform>ongeveer %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10590,6 +10609,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>De snijbreedte van %1 is 0: sleuven worden breder en onderdelen kleiner, met wat de machine wegneemt.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>De platen zijn groter dan het bed van %1 met %2. Kies kleinere.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10676,6 +10700,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>De twee onderdelen van een verbinding hebben het nummer in dezelfde kleur: voor papier, en voor machines waaraan je per kleur zegt wat ze moeten doen</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>Twijfel? Snijd eerst een pasproef…</translation>
     </message>
 </context>
 <context>
@@ -12163,12 +12191,12 @@
         <translation>%1 lezen…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 is te groot voor een model en is daarom %2 groot gemaakt. De grootte staat onder Sjablonen.</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 kent geen eenheid en is daarom %2 groot gemaakt. De grootte staat onder Sjablonen.</translation>
     </message>
@@ -14767,6 +14795,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>Reststuk %1 blijft heel</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14837,14 +14870,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 en nog %n zijn te groot voor hun platen.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>ongeveer %n min</numerusform>
-            <numerusform>ongeveer %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Reststuk toevoegen</translation>
@@ -14862,19 +14887,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 snijden</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Indelen… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>behoudt het beste tot nu toe, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Indelen… %1 % gebruikt</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 op %2 · %3 % gevuld · %4 snijden</translation>
+        <translation>%1 op %2 · %3 % gebruikt · %4 snijden</translation>
     </message>
 </context>
 <context>
@@ -14931,6 +14956,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Vastgepind: blijft liggen waar het ligt. Klik om het los te pinnen.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Sleep een onderdeel ergens anders heen, of klik erop om het te selecteren.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Klik om &lt;b&gt;%1&lt;/b&gt; los te pinnen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; is te groot voor zijn plaat. Klik om het te selecteren.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Sleep &lt;b&gt;%1&lt;/b&gt; ergens anders heen, of klik om het te selecteren.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Sleep &lt;b&gt;%1&lt;/b&gt; ergens anders heen. &lt;kbd&gt;R&lt;/kbd&gt; draait het, &lt;kbd&gt;P&lt;/kbd&gt; pint het vast.</translation>
     </message>
 </context>
 <context>
@@ -15853,10 +15902,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Exporteren vraagt één keer hoe dik de platen zijn die u gaat snijden</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Platen</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>zoveel als nodig</translation>
     </message>
@@ -15887,6 +15932,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Bewaard waar een snijbreedte is getypt terwijl die machine bij het exporteren gekozen was</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Maat en aantal</translation>
     </message>
 </context>
 <context>
@@ -16051,10 +16100,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Veiligheidsfactor %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Spanning onbekend</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Sterkte onbekend</translation>
     </message>
@@ -16072,6 +16117,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Beweging %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Het staat niet; er wordt geen spanning getoond.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Een verbinding wordt uit elkaar getrokken; er wordt geen spanning getoond.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Of het houdt, was niet te berekenen.</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16215,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Grepen</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>In het beeld verplaatsen, draaien en schalen, met grepen of getallen</translation>
     </message>
@@ -16172,6 +16225,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Trek een lijn over iets erin waarvan je de lengte weet</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Verplaatsen en draaien</translation>
     </message>
 </context>
 <context>
@@ -16217,14 +16274,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Grootte</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Bevat</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>het bestand ervan ontbreekt</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Afmeting</translation>
     </message>
@@ -16250,6 +16299,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -16271,25 +16321,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Verbergen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n driehoek</numerusform>
-            <numerusform>%n driehoeken</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 pixels</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n lijn</numerusform>
-            <numerusform>%n lijnen</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16326,6 +16357,25 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Gedraaid om Z, als laatste</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Mesh, %n driehoek</numerusform>
+            <numerusform>Mesh, %n driehoeken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Afbeelding, %1 × %2 pixels</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Tekening, %n lijn</numerusform>
+            <numerusform>Tekening, %n lijnen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

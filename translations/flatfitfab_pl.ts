@@ -5137,6 +5137,10 @@
         <source>coordinates up to 1e12</source>
         <translation>współrzędne do 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>umieszczonych obiektów</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5727,7 +5731,7 @@
         <translation>Znaku „%1” nie da się grawerować.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Przeciągnij z jednego miejsca do drugiego, aby zmierzyć; &lt;kbd&gt;Ctrl&lt;/kbd&gt; wyłącza przyciąganie. &lt;kbd&gt;Esc&lt;/kbd&gt; kończy.</translation>
     </message>
     <message>
@@ -5834,7 +5838,7 @@
         <translation>Kliknij, aby postawić punkt, przeciągnij, aby wygiąć; &lt;kbd&gt;Enter&lt;/kbd&gt; zamyka, &lt;kbd&gt;Backspace&lt;/kbd&gt; cofa punkt.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Kliknij, aby postawić punkt, przeciągnij, aby wygiąć; &lt;kbd&gt;Enter&lt;/kbd&gt; zamyka, &lt;kbd&gt;Backspace&lt;/kbd&gt; cofa punkt. Kliknięcie z &lt;kbd&gt;Ctrl&lt;/kbd&gt; nie przyciąga.</translation>
     </message>
     <message>
@@ -5846,7 +5850,7 @@
         <translation>Przeciągnij, aby wygiąć; &lt;kbd&gt;Ctrl&lt;/kbd&gt; robi narożnik, &lt;kbd&gt;Shift&lt;/kbd&gt; trzyma kierunek.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Przeciągnij, aby przesunąć punkt; &lt;kbd&gt;Ctrl&lt;/kbd&gt; wyłącza przyciąganie, &lt;kbd&gt;Shift&lt;/kbd&gt; trzyma kierunek.</translation>
     </message>
     <message>
@@ -9995,6 +9999,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Po kliknięciu: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Problem %1 z %2, miejsce %3 z %4: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -10078,7 +10086,7 @@
         <translation>Szerokość mostków</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Najazd cięcia</translation>
     </message>
     <message>
@@ -10098,12 +10106,24 @@
         <translation>Części, które do siebie przylegają, gdy odstęp wynosi 0</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Która z ponumerowanych szczelin próbki pasowania najlepiej trzyma arkusz (do wycięcia: menu Plik lub pliki do warsztatu). Ustawia luz.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Pasująca szczelina</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Która z ponumerowanych szczelin próbki pasowania najlepiej trzyma arkusz (do wycięcia: menu Plik lub pliki do warsztatu). Ustawia luz.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>około %n min</numerusform>
+            <numerusform>około %n min</numerusform>
+            <numerusform>około %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10694,6 +10714,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>Rzaz materiału %1 wynosi 0: szczeliny wyjdą szersze, a części mniejsze o to, co zabiera maszyna.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>Arkusze są większe niż stół maszyny %1: %2. Wybierz mniejsze.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10780,6 +10805,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>Obie części połączenia mają jego numer w tym samym kolorze: na papier i dla maszyn, którym mówi się, co robić z każdym kolorem</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>Nie masz pewności? Najpierw wytnij próbkę pasowania…</translation>
     </message>
 </context>
 <context>
@@ -12275,12 +12304,12 @@
         <translation>Wczytywanie %1…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>Plik %1 jest za duży na model, więc nadano mu rozmiar %2. Rozmiar jest w panelu Podkłady.</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>Plik %1 nie podaje jednostki, więc nadano mu rozmiar %2. Rozmiar jest w panelu Podkłady.</translation>
     </message>
@@ -14885,6 +14914,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>Resztka %1 zostaje cała</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14957,15 +14991,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 i jeszcze %n płytek nie mieszczą się na swoich arkuszach.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>około %n min</numerusform>
-            <numerusform>około %n min</numerusform>
-            <numerusform>około %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Dodaj resztkę</translation>
@@ -14984,19 +15009,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 cięcia</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Rozkładanie… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>zachowuje najlepszy układ dotąd, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Rozkładanie… wykorzystanie %1%</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 · %2 · wypełnienie %3 % · %4 cięcia</translation>
+        <translation>%1 · %2 · wykorzystanie %3% · %4 cięcia</translation>
     </message>
 </context>
 <context>
@@ -15054,6 +15079,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Przypięta: zostaje tam, gdzie leży. Kliknij, aby ją odpiąć.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Przeciągnij część w inne miejsce albo kliknij ją, aby ją zaznaczyć.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kliknij, aby odpiąć &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: za duże na swój arkusz. Kliknij, aby zaznaczyć.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Przeciągnij &lt;b&gt;%1&lt;/b&gt; w inne miejsce albo kliknij, aby zaznaczyć.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Przeciągnij &lt;b&gt;%1&lt;/b&gt; w inne miejsce. &lt;kbd&gt;R&lt;/kbd&gt; obraca, &lt;kbd&gt;P&lt;/kbd&gt; przypina.</translation>
     </message>
 </context>
 <context>
@@ -15987,10 +16036,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Eksport pyta raz, jak grube są arkusze, które będziesz ciąć</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Arkusze</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>ile potrzeba</translation>
     </message>
@@ -16021,6 +16066,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Pamiętane tam, gdzie wpisano rzaz, gdy ta maszyna była wybrana w eksporcie</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Rozmiar i liczba</translation>
     </message>
 </context>
 <context>
@@ -16187,10 +16236,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Współczynnik bezpieczeństwa %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Naprężenia nieznane</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Wytrzymałość nieznana</translation>
     </message>
@@ -16208,6 +16253,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Ruch %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Nie stoi; naprężeń nie pokazano.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Połączenie się rozsuwa; naprężeń nie pokazano.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Nie udało się obliczyć, czy utrzyma.</translation>
     </message>
 </context>
 <context>
@@ -16295,10 +16352,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Uchwyty</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>Przesuwa, obraca i skaluje go w widoku, uchwytami albo według liczb</translation>
     </message>
@@ -16309,6 +16362,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Narysuj na nim linię wzdłuż czegoś, czego długość znasz</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Przesuń i obróć</translation>
     </message>
 </context>
 <context>
@@ -16354,14 +16411,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Rozmiar</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Zawiera</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>brakuje jego pliku</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Wymiary</translation>
     </message>
@@ -16387,6 +16436,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -16408,27 +16458,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Ukryj</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n trójkąt</numerusform>
-            <numerusform>%n trójkąty</numerusform>
-            <numerusform>%n trójkątów</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 pikseli</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n linia</numerusform>
-            <numerusform>%n linie</numerusform>
-            <numerusform>%n linii</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16465,6 +16494,27 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Obrócony wokół Z, na końcu</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Siatka, %n trójkąt</numerusform>
+            <numerusform>Siatka, %n trójkąty</numerusform>
+            <numerusform>Siatka, %n trójkątów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Obraz, %1 × %2 pikseli</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Rysunek, %n linia</numerusform>
+            <numerusform>Rysunek, %n linie</numerusform>
+            <numerusform>Rysunek, %n linii</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -5097,6 +5097,10 @@
         <source>coordinates up to 1e12</source>
         <translation>coordenadas de até 1e12</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>objetos posicionados</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5681,7 +5685,7 @@
         <translation>O caractere “%1” não pode ser gravado.</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>Arraste de um lugar a outro para medir; &lt;kbd&gt;Ctrl&lt;/kbd&gt; evita aderir. &lt;kbd&gt;Esc&lt;/kbd&gt; encerra.</translation>
     </message>
     <message>
@@ -5788,7 +5792,7 @@
         <translation>Clique para marcar um ponto, arraste para curvar; &lt;kbd&gt;Enter&lt;/kbd&gt; fecha, &lt;kbd&gt;Backspace&lt;/kbd&gt; tira um.</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>Clique para marcar um ponto, arraste para curvar; &lt;kbd&gt;Enter&lt;/kbd&gt; fecha, &lt;kbd&gt;Backspace&lt;/kbd&gt; tira um. &lt;kbd&gt;Ctrl&lt;/kbd&gt; + clique evita aderir.</translation>
     </message>
     <message>
@@ -5800,7 +5804,7 @@
         <translation>Arraste para curvar; &lt;kbd&gt;Ctrl&lt;/kbd&gt; faz um canto, &lt;kbd&gt;Shift&lt;/kbd&gt; mantém a direção.</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>Arraste para mover o ponto; &lt;kbd&gt;Ctrl&lt;/kbd&gt; evita aderir, &lt;kbd&gt;Shift&lt;/kbd&gt; mantém a direção.</translation>
     </message>
     <message>
@@ -9893,6 +9897,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>Se você clicar: %1.</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>Problema %1 de %2, lugar %3 de %4: %5.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9976,7 +9984,7 @@
         <translation>Largura das pontes</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>Entrada do corte</translation>
     </message>
     <message>
@@ -9996,12 +10004,23 @@
         <translation>De peças encostadas umas nas outras, onde o espaçamento é 0</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>Qual das fendas numeradas de uma peça de teste segura melhor a chapa (para cortar: menu Arquivo, ou entre os arquivos para a oficina). Define a folga.</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>Fenda adequada</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>Qual das fendas numeradas de uma peça de teste segura melhor a chapa (para cortar: menu Arquivo, ou entre os arquivos para a oficina). Define a folga.</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>cerca de %n min</numerusform>
+            <numerusform>cerca de %n min</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10590,6 +10609,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>A largura de corte de %1 é 0: as fendas ficam mais largas e as peças menores, no tanto que a máquina remove.</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>As chapas são maiores que a mesa de %1, de %2. Escolha menores.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10676,6 +10700,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>As duas peças de um encaixe têm o número na mesma cor: para papel e para máquinas em que se define o que fazer com cada cor</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>Em dúvida? Corte antes uma peça de teste…</translation>
     </message>
 </context>
 <context>
@@ -12163,12 +12191,12 @@
         <translation>Lendo %1…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 é grande demais para um modelo; por isso, ficou com %2. O tamanho está em Referências.</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 não informa unidade; por isso, ficou com %2. O tamanho está em Referências.</translation>
     </message>
@@ -14767,6 +14795,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>O retalho de %1 fica inteiro</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14837,14 +14870,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 e mais %n são grandes demais para as chapas.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>cerca de %n min</numerusform>
-            <numerusform>cerca de %n min</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>Adicionar um retalho</translation>
@@ -14862,19 +14887,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · %2 de corte</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>Dispondo… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>mantém a melhor até agora, %1 s</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>Dispondo… %1 % de uso</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1 em %2 · %3 % preenchido · %4 de corte</translation>
+        <translation>%1 em %2 · %3 % de uso · %4 de corte</translation>
     </message>
 </context>
 <context>
@@ -14931,6 +14956,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>Fixada: fica onde está. Clique para desafixá-la.</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>Arraste uma peça para outro lugar ou clique nela para selecioná-la.</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Clique para desafixar &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; é grande demais para a chapa. Clique para selecionar.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Arraste &lt;b&gt;%1&lt;/b&gt; para outro lugar ou clique para selecionar.</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Arraste &lt;b&gt;%1&lt;/b&gt; para outro lugar. &lt;kbd&gt;R&lt;/kbd&gt; gira, &lt;kbd&gt;P&lt;/kbd&gt; fixa.</translation>
     </message>
 </context>
 <context>
@@ -15853,10 +15902,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>A exportação pergunta uma vez a espessura das chapas que você vai cortar</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>Chapas</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>quantas forem precisas</translation>
     </message>
@@ -15887,6 +15932,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>Guardado onde uma largura de corte foi digitada enquanto essa máquina estava escolhida na exportação</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>Tamanho e quantidade</translation>
     </message>
 </context>
 <context>
@@ -16051,10 +16100,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Fator de segurança %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>Tensão desconhecida</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>Resistência desconhecida</translation>
     </message>
@@ -16072,6 +16117,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>Movimento %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Não fica de pé; a tensão não é mostrada.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Um encaixe se abre; a tensão não é mostrada.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Não foi possível calcular se aguenta.</translation>
     </message>
 </context>
 <context>
@@ -16158,10 +16215,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>Alças</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>Mover, girar e redimensionar na vista, com alças ou números</translation>
     </message>
@@ -16172,6 +16225,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>Traçar uma linha sobre algo nela cujo comprimento você conhece</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Mover e girar</translation>
     </message>
 </context>
 <context>
@@ -16217,14 +16274,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>Tamanho</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>Contém</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>o arquivo dela não foi encontrado</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Dimensões</translation>
     </message>
@@ -16250,6 +16299,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1: %2</translation>
     </message>
     <message>
@@ -16271,25 +16321,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>Ocultar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n triângulo</numerusform>
-            <numerusform>%n triângulos</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 pixels</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n linha</numerusform>
-            <numerusform>%n linhas</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16326,6 +16357,25 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>Girada em torno de Z, por último</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>Malha, %n triângulo</numerusform>
+            <numerusform>Malha, %n triângulos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>Imagem, %1 × %2 pixels</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>Desenho, %n linha</numerusform>
+            <numerusform>Desenho, %n linhas</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -5057,6 +5057,10 @@
         <source>coordinates up to 1e12</source>
         <translation>不超过 1e12 的坐标</translation>
     </message>
+    <message>
+        <source>placed objects</source>
+        <translation>放置的对象</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -5635,7 +5639,7 @@
         <translation>字符“%1”无法雕刻。</translation>
     </message>
     <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
         <translation>从一处拖到另一处来测量；&lt;kbd&gt;Ctrl&lt;/kbd&gt; 不吸附。&lt;kbd&gt;Esc&lt;/kbd&gt; 结束。</translation>
     </message>
     <message>
@@ -5742,7 +5746,7 @@
         <translation>点击放点，拖动弯曲；&lt;kbd&gt;Enter&lt;/kbd&gt; 闭合，&lt;kbd&gt;Backspace&lt;/kbd&gt; 退回一个点。</translation>
     </message>
     <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt;+click sets it without snapping.</source>
         <translation>点击放点，拖动弯曲；&lt;kbd&gt;Enter&lt;/kbd&gt; 闭合，&lt;kbd&gt;Backspace&lt;/kbd&gt; 退回一个点。按住 &lt;kbd&gt;Ctrl&lt;/kbd&gt; 点击不吸附。</translation>
     </message>
     <message>
@@ -5754,7 +5758,7 @@
         <translation>拖动弯曲；&lt;kbd&gt;Ctrl&lt;/kbd&gt; 变成角点，&lt;kbd&gt;Shift&lt;/kbd&gt; 保持方向。</translation>
     </message>
     <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; turns snapping off, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
         <translation>拖动移动这个点；&lt;kbd&gt;Ctrl&lt;/kbd&gt; 不吸附，&lt;kbd&gt;Shift&lt;/kbd&gt; 保持方向。</translation>
     </message>
     <message>
@@ -9791,6 +9795,10 @@
         <extracomment>%1 is what a link would do, such as &quot;6 joints flipped, 1 problem solved&quot;</extracomment>
         <translation>点击后：%1。</translation>
     </message>
+    <message>
+        <source>Problem %1 of %2, place %3 of %4: %5.</source>
+        <translation>问题 %1，共 %2 个；位置 %3，共 %4 处：%5。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChosenPlace</name>
@@ -9874,7 +9882,7 @@
         <translation>微连宽度</translation>
     </message>
     <message>
-        <source>Run-in of cuts</source>
+        <source>Lead-in</source>
         <translation>引入线</translation>
     </message>
     <message>
@@ -9894,12 +9902,22 @@
         <translation>指间距为 0 时贴在一起的零件</translation>
     </message>
     <message>
+        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
+        <translation>试片上编号的插槽中哪一个最能卡住板材（试片可从“文件”菜单或加工全套文件中切割）。用来设定间隙。</translation>
+    </message>
+    <message>
         <source>Slit that fitted</source>
         <translation>合适的插槽</translation>
     </message>
-    <message>
-        <source>Which of the numbered slits of a fit coupon holds the sheet best (cut one: menu File, or among the files for the workshop). It sets the clearance.</source>
-        <translation>试片上编号的插槽中哪一个最能卡住板材（试片可从“文件”菜单或加工全套文件中切割）。用来设定间隙。</translation>
+</context>
+<context>
+    <name>fff::ui::CutTime</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <extracomment>how long a machine cuts</extracomment>
+        <translation>
+            <numerusform>约 %n 分钟</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10486,6 +10504,11 @@
         <extracomment>%1 is a stock</extracomment>
         <translation>%1 的切缝为 0：机器切掉多少，插槽就宽多少，零件就小多少。</translation>
     </message>
+    <message>
+        <source>Sheets are larger than the bed of %1, which is %2. Choose smaller ones.</source>
+        <extracomment>%1 is a machine, %2 the size of its bed</extracomment>
+        <translation>板材超出 %1 的工作台面 %2。请选择更小的板材。</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExportRows</name>
@@ -10572,6 +10595,10 @@
     <message>
         <source>The two parts of a joint have its number in the same colour: for paper, and for machines that are told what to do with each colour</source>
         <translation>接头的两个零件用同一种颜色写编号：用于纸张，也用于按颜色设定操作的机器</translation>
+    </message>
+    <message>
+        <source>Not sure? Cut a fit coupon first…</source>
+        <translation>拿不准？先切一块试片…</translation>
     </message>
 </context>
 <context>
@@ -12051,12 +12078,12 @@
         <translation>正在读取 %1…</translation>
     </message>
     <message>
-        <source>%1 is too large for a model, so it was made %2 large. Templates has its size.</source>
+        <source>%1 is too large for a model, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 对模型来说太大，所以设成了 %2 大。大小可在“参考物”中更改。</translation>
     </message>
     <message>
-        <source>%1 knows no unit, so it was made %2 large. Templates has its size.</source>
+        <source>%1 does not say its unit, so it was scaled to %2. Its size can be changed under Templates.</source>
         <extracomment>%1 is the name of a file, %2 a length</extracomment>
         <translation>%1 没有单位，所以设成了 %2 大。大小可在“参考物”中更改。</translation>
     </message>
@@ -14649,6 +14676,11 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <extracomment>a part on a sheet: its number, and its section&apos;s name</extracomment>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Offcut %1 stays whole</source>
+        <extracomment>%1 is the size of what is left of a sheet</extracomment>
+        <translation>余料 %1 保持完整</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::SheetsDock</name>
@@ -14717,13 +14749,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
             <numerusform>%1 和另外 %n 个太大，它们的板材放不下。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n min</source>
-        <extracomment>how long a machine cuts</extracomment>
-        <translation>
-            <numerusform>约 %n 分钟</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Add an offcut</source>
         <translation>添加余料</translation>
@@ -14740,19 +14765,19 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>%1 · 切割 %2</translation>
     </message>
     <message>
-        <source>Nesting… %1 %</source>
-        <extracomment>%1 is how much of the sheets is filled</extracomment>
-        <translation>正在排版… %1 %</translation>
-    </message>
-    <message>
         <source>keeps the best so far, %1 s</source>
         <extracomment>%1 are seconds</extracomment>
         <translation>保留目前最好的结果，%1 秒</translation>
     </message>
     <message>
-        <source>%1 on %2 · %3 % filled · %4 of cutting</source>
+        <source>Nesting… %1 % used</source>
+        <extracomment>%1 is how much of the sheets is filled</extracomment>
+        <translation>正在排版… 利用率 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 on %2 · %3 % used · %4 of cutting</source>
         <extracomment>%1 are the parts, %2 the sheets, %3 is how much of these is filled, %4 how far the machine cuts</extracomment>
-        <translation>%1，%2 · 填充率 %3 % · 切割 %4</translation>
+        <translation>%1，%2 · 利用率 %3 % · 切割 %4</translation>
     </message>
 </context>
 <context>
@@ -14808,6 +14833,30 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Pinned: stays where it lies. Click to unpin it.</source>
         <translation>已固定：留在原处。点击取消固定。</translation>
+    </message>
+    <message>
+        <source>Drag a part elsewhere, or click it to select it.</source>
+        <translation>拖动零件可移动它，点击可选中它。</translation>
+    </message>
+    <message>
+        <source>Click to unpin &lt;b&gt;%1&lt;/b&gt;.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>点击取消固定 &lt;b&gt;%1&lt;/b&gt;。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; is too large for its sheet. Click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>&lt;b&gt;%1&lt;/b&gt; 超出板材大小。点击选中它。</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere, or click to select it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>拖动可移动 &lt;b&gt;%1&lt;/b&gt;，点击可选中它。</translation>
+    </message>
+    <message>
+        <source>Drag &lt;b&gt;%1&lt;/b&gt; elsewhere. &lt;kbd&gt;R&lt;/kbd&gt; turns it, &lt;kbd&gt;P&lt;/kbd&gt; pins it.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>拖动可移动 &lt;b&gt;%1&lt;/b&gt;。&lt;kbd&gt;R&lt;/kbd&gt; 旋转，&lt;kbd&gt;P&lt;/kbd&gt; 固定。</translation>
     </message>
 </context>
 <context>
@@ -15719,10 +15768,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>导出时会询问一次您要切割的板材有多厚</translation>
     </message>
     <message>
-        <source>Sheets</source>
-        <translation>板材</translation>
-    </message>
-    <message>
         <source>as many as it takes</source>
         <translation>按需要</translation>
     </message>
@@ -15753,6 +15798,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Kept where a kerf was typed while that machine was chosen in Export</source>
         <translation>在导出中选择该机器时输入的切缝</translation>
+    </message>
+    <message>
+        <source>Size and number</source>
+        <translation>尺寸和数量</translation>
     </message>
 </context>
 <context>
@@ -15915,10 +15964,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>安全系数 %1</translation>
     </message>
     <message>
-        <source>Stress unknown</source>
-        <translation>应力未知</translation>
-    </message>
-    <message>
         <source>Strength unknown</source>
         <translation>强度未知</translation>
     </message>
@@ -15936,6 +15981,18 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <source>Movement %1&#x202f;×</source>
         <extracomment>%1 is a number of times</extracomment>
         <translation>位移 %1&#x202f;×</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>它站不稳；不显示应力。</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>有接头被拉开；不显示应力。</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>无法算出是否撑得住。</translation>
     </message>
 </context>
 <context>
@@ -16021,10 +16078,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
 <context>
     <name>fff::ui::TemplateTools</name>
     <message>
-        <source>Handles</source>
-        <translation>手柄</translation>
-    </message>
-    <message>
         <source>Move, turn and scale it in the view, with handles or numbers</source>
         <translation>在视图中用手柄或数字移动、转动和缩放它</translation>
     </message>
@@ -16035,6 +16088,10 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Draw a line over something in it whose length you know</source>
         <translation>在它里面已知长度的地方画一条线</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>移动和旋转</translation>
     </message>
 </context>
 <context>
@@ -16080,14 +16137,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
         <translation>大小</translation>
     </message>
     <message>
-        <source>Holds</source>
-        <translation>内容</translation>
-    </message>
-    <message>
-        <source>its file is missing</source>
-        <translation>缺少它的文件</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>外形尺寸</translation>
     </message>
@@ -16113,6 +16162,7 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>%1 is a name, %2 what it is</extracomment>
         <translation>%1：%2</translation>
     </message>
     <message>
@@ -16134,23 +16184,6 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Hide</source>
         <translation>隐藏</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n triangles</source>
-        <translation>
-            <numerusform>%n 个三角形</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <extracomment>%1 and %2 are numbers of pixels</extracomment>
-        <translation>%1 × %2 像素</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines</source>
-        <translation>
-            <numerusform>%n 条线</numerusform>
-        </translation>
     </message>
     <message>
         <source>°</source>
@@ -16187,6 +16220,23 @@ the name of a section, and a place in it such as &quot;at its neck&quot;</extrac
     <message>
         <source>Turned about Z, last</source>
         <translation>绕 Z 转动，最后</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mesh, %n triangle(s)</source>
+        <translation>
+            <numerusform>网格，%n 个三角形</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture, %1 × %2 pixels</source>
+        <extracomment>%1 and %2 are numbers of pixels</extracomment>
+        <translation>图片，%1 × %2 像素</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drawing, %n line(s)</source>
+        <translation>
+            <numerusform>图形，%n 条线</numerusform>
+        </translation>
     </message>
 </context>
 <context>
