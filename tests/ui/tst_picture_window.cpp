@@ -265,6 +265,7 @@ void TestPictureWindow::holesWantASection()
         260, 180, [](double x, double y) { return std::hypot(x - 80, y - 90) < 60; })));
     clickRow(0);
     foldTrace();
+    QTest::qWait(50); // what was unfolded is laid out
     const auto *bar = m_window->findChild<MessageBar *>();
     push("flat.holes");
     QCOMPARE(bar->text(),
