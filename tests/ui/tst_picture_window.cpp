@@ -268,8 +268,9 @@ void TestPictureWindow::holesWantASection()
     QTest::qWait(50); // what was unfolded is laid out
     const auto *bar = m_window->findChild<MessageBar *>();
     push("flat.holes");
-    QCOMPARE(bar->text(),
-             QStringLiteral("Select the section to cut holes in first, or place the drawing on it."));
+    QCOMPARE(
+        bar->text(),
+        QStringLiteral("Select the section to cut holes in first, or place the drawing on it."));
     push("flat.engraved");
     QCOMPARE(bar->text(),
              QStringLiteral("Select the section to engrave first, or place the drawing on it."));
