@@ -267,7 +267,7 @@ void PhysicsDock::addLoadRow(std::size_t index)
     const QString section = QString::fromStdString(m_bench.session().model().nameOf(load.section));
     auto *row = new EditorRow(
         //: what a weight or a push is called, and the section that it is on
-        load.name.empty() ? loadTitle(load, section) : tr("%1, %2").arg(loadName(load), section),
+        load.name.empty() ? section : tr("%1, %2").arg(loadName(load), section),
         id.toLatin1().constData(), amount, [this, index, amount, unit] {
             const auto &loads = m_bench.session().model().document.loads;
             if (index < loads.size())

@@ -5,6 +5,8 @@
 #include <QApplication>
 #include <QPainter>
 
+#include <utility>
+
 namespace fff::ui {
 
 namespace {
