@@ -47,6 +47,7 @@ struct GestureReply
     std::optional<Settling> settling; // over in the middle of a turn: the view goes on to there
     std::optional<std::vector<SectionRef>> select;
     std::optional<OperationId> selectOperation; // of what is committed
+    std::optional<LoadId> selectLoad;           // the same
     /// Of a tool: the press was a click that it has no use for.
     bool isClick = false;
     /// Of a tool that turns the view by itself: where it was before.

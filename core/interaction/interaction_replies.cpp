@@ -64,6 +64,10 @@ void Interaction::Private::carryOut(GestureReply &reply)
         points.clear();
         selection.selectOperation(*reply.selectOperation);
     }
+    if (reply.selectLoad) {
+        points.clear();
+        selection.selectLoad(*reply.selectLoad);
+    }
     if (reply.selectPoints)
         selectPoints(*std::move(reply.selectPoints), documentOfPoints());
 }

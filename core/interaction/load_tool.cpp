@@ -102,15 +102,21 @@ GestureReply LoadTool::press(const PointerEvent &event, GestureContext &context)
     return reply;
 }
 
+/// What was put on or taken hold of is selected: its number is wanted next.
 GestureReply LoadTool::release(GestureContext &context)
 {
     GestureReply reply;
-    if (m_use != Use::Pull && m_drag->hasMoved()) {
+    const bool isPull = m_use == Use::Pull;
+    if (!isPull && !m_drag->isNew())
+        reply.selectLoad = m_drag->load().id;
+    if (!isPull && m_drag->hasMoved()) {
         Result<Document> next = m_drag->document(context.model.document);
         if (next && !next->isSame(context.model.document)) {
-            reply.commit = {m_drag->step(context.model), *std::move(next)};
-            if (m_drag->isNew())
+            if (m_drag->isNew()) {
+                reply.selectLoad = next->loads.back().id;
                 reply.note = carriedNote(context.model, m_drag->load());
+            }
+            reply.commit = {m_drag->step(context.model), *std::move(next)};
         }
     }
     m_drag.reset();

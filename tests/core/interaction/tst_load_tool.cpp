@@ -35,6 +35,7 @@ class TestLoadTool : public QObject
 
 private Q_SLOTS:
     void aClickHangsOne();
+    void whatIsHungIsSelected();
     void stressGoesWithIt();
     void aDragMovesIt();
     void overNothingItStays();
@@ -64,6 +65,20 @@ void TestLoadTool::aClickHangsOne()
     QVERIFY(desk.interaction.tool()); // for the next one
     desk.run("edit.undo");
     QVERIFY(desk.session.committed().document == before);
+}
+
+// Wrong: its number is wanted, and the fields are of something else.
+void TestLoadTool::whatIsHungIsSelected()
+{
+    WeightDesk desk;
+    desk.click(desk.plate(40, 25));
+    QCOMPARE(desk.interaction.selectedLoad(), desk.weights()[0].id);
+    desk.click(desk.plate(-40, -25));
+    QCOMPARE(desk.interaction.selectedLoad(), desk.weights()[1].id);
+    desk.click(desk.plate(40, 25)); // the first one again
+    QCOMPARE(desk.weights().size(), std::size_t(2));
+    QCOMPARE(desk.interaction.selectedLoad(), desk.weights()[0].id);
+    QVERIFY(desk.interaction.tool());
 }
 
 // Wrong: arrows and numbers over whatever is done after it; or lines that somebody wants go, too.
