@@ -136,6 +136,16 @@ SectionEdit withShape(const Model &model, const Section &section, const Contour 
     return edit;
 }
 
+/// The selected sections, which are of it.
+void nameAfter(const Drawing &drawing, EditedSections &edit)
+{
+    const std::vector<std::string> names =
+        namesAfter(edit.document, drawing.name, edit.select->size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (auto named = renameSection(edit.document, (*edit.select)[i].drawn, names[i]))
+            edit.document = *std::move(named);
+}
+
 } // namespace
 
 SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Naming &naming)
@@ -222,6 +232,7 @@ SectionEdit placedSections(const Model &model, const Drawing &drawing, const Dra
         return tl::unexpected(*why);
     if (left > 0)
         edit.note = leftOut(drawing, left);
+    nameAfter(drawing, edit);
     return edit;
 }
 

@@ -44,4 +44,21 @@ std::string freeSectionName(const Document &document, const Naming &naming)
     return SectionNames(document, naming).next();
 }
 
+std::vector<std::string> namesAfter(const Document &document, const std::string &word,
+                                    std::size_t count)
+{
+    std::vector<std::string> names;
+    if (word.empty())
+        return names;
+    std::unordered_set<std::string> taken;
+    for (const SectionPointer &section : document.sections)
+        taken.insert(section->name);
+    if (count == 1 && !taken.contains(word))
+        return {word};
+    for (std::size_t number = 1; names.size() < count; ++number)
+        if (std::string name = word + " " + std::to_string(number); taken.insert(name).second)
+            names.push_back(std::move(name));
+    return names;
+}
+
 } // namespace fff

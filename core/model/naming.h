@@ -43,4 +43,9 @@ private:
 /// by this pattern or one of the others.
 std::string freeSectionName(const Document &document, const Naming &naming = {});
 
+/// Of `count` sections that are called after one thing: its word where there is one and nobody has
+/// that name, else "word 1", "word 2" …, leaving out what is taken. None after an empty word.
+std::vector<std::string> namesAfter(const Document &document, const std::string &word,
+                                    std::size_t count);
+
 } // namespace fff

@@ -65,6 +65,19 @@ private Q_SLOTS:
         QCOMPARE(numberedName("%1. Platte", 3), std::string("3. Platte"));
         QCOMPARE(numberedName("Scheibe", 3), std::string("Scheibe 3"));
     }
+
+    /// Two of one name; a number where one has the word to itself; "a%1b" taken for a pattern.
+    void sectionsOfOneThingHaveItsName()
+    {
+        const Document document = withNames({"Fish", "Fish 2"});
+        using Names = std::vector<std::string>;
+        QCOMPARE(namesAfter(document, "Owl", 1), Names({"Owl"}));
+        QCOMPARE(namesAfter(document, "Owl", 2), Names({"Owl 1", "Owl 2"}));
+        QCOMPARE(namesAfter(document, "Fish", 1), Names({"Fish 1"}));
+        QCOMPARE(namesAfter(document, "Fish", 3), Names({"Fish 1", "Fish 3", "Fish 4"}));
+        QCOMPARE(namesAfter(document, "a%1b", 2), Names({"a%1b 1", "a%1b 2"}));
+        QCOMPARE(namesAfter(document, "", 3), Names());
+    }
 };
 
 FFF_TEST(TestNaming)
