@@ -12,6 +12,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kHeight = 28; // px
+constexpr char kTitle[] = "dockTitle", kNoTitle[] = "noDockTitle";
 
 QToolButton *titleButton(QWidget *title, const char *icon, const QString &text)
 {
@@ -31,7 +32,7 @@ void dressDock(QDockWidget *dock, const char *objectName)
     dock->setObjectName(QLatin1String(objectName));
     dock->setAttribute(Qt::WA_WindowPropagation); // floating it is a window, in the same colours
     auto *title = new QWidget(dock);
-    title->setObjectName(QStringLiteral("dockTitle"));
+    title->setObjectName(QLatin1String(kTitle));
     title->setFixedHeight(kHeight);
     title->setAttribute(Qt::WA_StyledBackground);
     auto *name = new QLabel(dock->windowTitle(), title);
@@ -50,12 +51,29 @@ void dressDock(QDockWidget *dock, const char *objectName)
     dock->setTitleBarWidget(title);
 }
 
+void setDockTitled(QDockWidget &dock, bool isTitled)
+{
+    auto *title = dock.findChild<QWidget *>(QLatin1String(kTitle), Qt::FindDirectChildrenOnly);
+    auto *none = dock.findChild<QWidget *>(QLatin1String(kNoTitle), Qt::FindDirectChildrenOnly);
+    if (!none) {
+        none = new QWidget(&dock); // without one the dock shows a title of its own
+        none->setObjectName(QLatin1String(kNoTitle));
+    }
+    QWidget *wanted = isTitled ? title : none;
+    if (dock.titleBarWidget() == wanted)
+        return;
+    dock.titleBarWidget()->hide();
+    dock.setTitleBarWidget(wanted);
+    wanted->show();
+}
+
 void setDockFixed(QDockWidget &dock, bool isFixed)
 {
     dock.setFeatures(isFixed ? QDockWidget::NoDockWidgetFeatures
                              : QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                                    QDockWidget::DockWidgetFloatable);
-    for (QToolButton *button : dock.titleBarWidget()->findChildren<QToolButton *>())
+    const auto *title = dock.findChild<QWidget *>(QLatin1String(kTitle));
+    for (QToolButton *button : title->findChildren<QToolButton *>())
         button->setVisible(!isFixed);
 }
 

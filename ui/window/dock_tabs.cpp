@@ -1,6 +1,7 @@
 #include "ui/window/dock_tabs.h"
 
 #include "ui/base/theme.h"
+#include "ui/docks/dock_title.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -8,9 +9,9 @@
 #include <QFontMetrics>
 #include <QIcon>
 #include <QStyle>
-#include <QTabBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
@@ -51,6 +52,8 @@ void DockTabs::take(QTabBar *tabs)
         tabs->setUsesScrollButtons(false);
         tabs->setIconSize({kTabIcon, kTabIcon});
         tabs->installEventFilter(this);
+        std::erase_if(m_bars, [](const QPointer<QTabBar> &bar) { return bar.isNull(); });
+        m_bars.emplace_back(tabs);
     }
     dress(tabs);
     follow(*tabs);
@@ -66,6 +69,34 @@ bool DockTabs::eventFilter(QObject *watched, QEvent *event)
         QMetaObject::invokeMethod(
             tabs, [this, tabs] { follow(*tabs); }, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);
+}
+
+bool DockTabs::isNamedAtTop(const QDockWidget &dock) const
+{
+    return !dock.isFloating() &&
+           std::any_of(m_bars.begin(), m_bars.end(), [&dock](const QPointer<QTabBar> &bar) {
+               if (!bar || !bar->isVisible() || bar->shape() != QTabBar::RoundedNorth)
+                   return false;
+               int tab = 0;
+               while (tab < bar->count() && bar->tabText(tab) != dock.windowTitle())
+                   ++tab;
+               return tab < bar->count() && bar->count() > 1;
+           });
+}
+
+/// Later: Qt has not put the tabs in order yet as it says that a dock came.
+void DockTabs::followDocks()
+{
+    if (std::exchange(m_isFollowing, true))
+        return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_isFollowing = false;
+            for (QDockWidget *dock : m_docks)
+                setDockTitled(*dock, !isNamedAtTop(*dock));
+        },
+        Qt::QueuedConnection);
 }
 
 bool DockTabs::haveNames(const QTabBar &tabs) const
@@ -85,8 +116,9 @@ QIcon DockTabs::iconOf(const QTabBar &tabs, int tab) const
 }
 
 /// Changes only what differs: each change paints the tabs again.
-void DockTabs::follow(QTabBar &tabs) const
+void DockTabs::follow(QTabBar &tabs)
 {
+    followDocks();
     const bool areIcons = !haveNames(tabs);
     for (int i = 0; i < tabs.count(); ++i) {
         const QIcon icon = areIcons ? iconOf(tabs, i) : QIcon();

@@ -79,6 +79,9 @@ void WindowLayout::add(QDockWidget *dock, const char *icon, Place place, bool is
     m_areShown.push_back(isShown ? 1 : 0);
     m_docks.push_back(dock);
     m_places.push_back(place);
+    connect(dock, &QDockWidget::visibilityChanged, m_tabs, &DockTabs::followDocks);
+    connect(dock, &QDockWidget::topLevelChanged, m_tabs, &DockTabs::followDocks);
+    connect(dock, &QDockWidget::dockLocationChanged, m_tabs, &DockTabs::followDocks);
     // Opening one of them from the menu ends the hiding of all, and it is in front of its tabs.
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shows) {
         if (shows && m_isHidden)

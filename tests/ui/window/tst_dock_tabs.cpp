@@ -26,6 +26,7 @@ private Q_SLOTS:
     void allOfThemCanBeRead();
     void fewOfThemHaveTheirNames();
     void theOneInFrontHasItsName();
+    void belowTabsNoTitleSaysItAgain();
 
 private:
     void open(const QString &language, const QSize &size);
@@ -167,6 +168,28 @@ void TestDockTabs::theOneInFrontHasItsName()
                     bar->fontMetrics().horizontalAdvance(bar->tabText(i)) +
                         bar->iconSize().width());
     }
+}
+
+// Wrong: "Properties" in the tab and "Properties" below it; or a dock that nothing names.
+void TestDockTabs::belowTabsNoTitleSaysItAgain()
+{
+    open(QStringLiteral("en"), {1024, 640});
+    auto *checks = m_window->findChild<QDockWidget *>(QStringLiteral("checksDock"));
+    const auto isTitled = [](const QDockWidget *dock) {
+        return dock->findChild<QWidget *>(QStringLiteral("dockTitle"))->isVisible();
+    };
+    checks->raise();
+    QTRY_VERIFY(checks->visibleRegion().isEmpty() || !isTitled(checks));
+    QTRY_VERIFY(!isTitled(checks));
+    checks->setFloating(true);
+    QTRY_VERIFY(isTitled(checks));
+    checks->setFloating(false);
+    checks->raise();
+    QTRY_VERIFY(!isTitled(checks));
+
+    m_window->resize(1440, 900); // two columns; tabs are at the bottom
+    m_window->resetLayout();
+    QTRY_VERIFY(isTitled(checks));
 }
 
 FFF_TEST_WITH(TestDockTabs, [](int argc, char *argv[]) {
