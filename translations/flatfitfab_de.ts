@@ -5742,10 +5742,6 @@
         <translation>Klicken wählt Problem %1 aus.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Ebene und Ergebnis in der Leiste wählen; &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
         <source>Nothing moved: where %1 and %2 meet, there are no two slits that share the depth.</source>
         <translation>Nichts verschoben: Wo %1 und %2 sich treffen, teilen sich nicht zwei Schlitze den Weg.</translation>
     </message>
@@ -6231,6 +6227,18 @@
             <numerusform>%n Kante hat keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie ist zu kurz. Weniger Flächen helfen, oder stattdessen Schnitte.</numerusform>
             <numerusform>%n Kanten haben keine Fingerzinken: Ihre Scheiben treffen sich zu flach oder zu spitz, oder sie sind zu kurz. Weniger Flächen helfen, oder stattdessen Schnitte.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Fügt ein Spiegelbild der Auswahl hinzu. &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt; &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Was du auf einer Seite änderst, ändert sich auch auf der anderen. &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt; &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Macht beide Seiten einmal gleich; danach ist jede für sich. &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt; &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -10922,10 +10930,6 @@
         <translation>Kontur</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Von Hand gezeichnet</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
@@ -10953,6 +10957,10 @@
     <message>
         <source>Its centre, in the coordinates of the section</source>
         <translation>Von seiner Mitte, in den Koordinaten der Scheibe</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Freie Form</translation>
     </message>
 </context>
 <context>

@@ -5713,10 +5713,6 @@
         <translation>El modelo no se puede escalar tanto: %1 se saldría de sus límites.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Elige en la barra el plano y qué reflejar; &lt;kbd&gt;Intro&lt;/kbd&gt; refleja. &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Haz clic en la sección que hará de espejo; arrastra para girar la vista. &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
     </message>
@@ -6231,6 +6227,18 @@
             <numerusform>%n borde no tiene dientes: sus planchas se encuentran con un ángulo demasiado abierto o cerrado, o es demasiado corto. Ayudan menos caras, o rebanadas en su lugar.</numerusform>
             <numerusform>%n bordes no tienen dientes: sus planchas se encuentran con un ángulo demasiado abierto o cerrado, o son demasiado cortos. Ayudan menos caras, o rebanadas en su lugar.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Añade una imagen reflejada de lo seleccionado. &lt;kbd&gt;Intro&lt;/kbd&gt; refleja; &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Lo que cambias en un lado cambia también en el otro. &lt;kbd&gt;Intro&lt;/kbd&gt; refleja; &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Iguala los dos lados una vez; después cada uno va por su cuenta. &lt;kbd&gt;Intro&lt;/kbd&gt; refleja; &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
     </message>
 </context>
 <context>
@@ -10922,10 +10930,6 @@
         <translation>Contorno</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Dibujado a mano</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>Lo es en cuanto mueves uno de sus puntos</translation>
     </message>
@@ -10953,6 +10957,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Forma libre</translation>
     </message>
 </context>
 <context>

@@ -5713,10 +5713,6 @@
         <translation>Le modèle ne peut pas être redimensionné à ce point&#xa0;: %1 dépasserait ses limites.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Choisissez dans la barre le plan et ce qu’il faut mettre en miroir&#x202f;; &lt;kbd&gt;Entrée&lt;/kbd&gt; valide. &lt;kbd&gt;Échap&lt;/kbd&gt; annule.</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Cliquez sur la section qui sert de miroir&#x202f;; faites glisser pour tourner la vue. &lt;kbd&gt;Échap&lt;/kbd&gt; annule.</translation>
     </message>
@@ -6231,6 +6227,18 @@
             <numerusform>%n arête n’a pas de créneaux&#xa0;: ses plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elle est trop courte. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
             <numerusform>%n arêtes n’ont pas de créneaux&#xa0;: leurs plaques s’y rencontrent à un angle trop plat ou trop aigu, ou elles sont trop courtes. Moins de faces, ou plutôt des tranches, y remédient.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ajoute l’image miroir de la sélection. &lt;kbd&gt;Entrée&lt;/kbd&gt; valide&#x202f;; &lt;kbd&gt;Échap&lt;/kbd&gt; annule.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ce que vous changez d’un côté change aussi de l’autre. &lt;kbd&gt;Entrée&lt;/kbd&gt; valide&#x202f;; &lt;kbd&gt;Échap&lt;/kbd&gt; annule.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Rend les deux côtés identiques une fois&#x202f;; ensuite chacun est indépendant. &lt;kbd&gt;Entrée&lt;/kbd&gt; valide&#x202f;; &lt;kbd&gt;Échap&lt;/kbd&gt; annule.</translation>
     </message>
 </context>
 <context>
@@ -10922,10 +10930,6 @@
         <translation>Contour</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Dessiné à la main</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>Déplacez un de ses points et il le sera</translation>
     </message>
@@ -10953,6 +10957,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Forme libre</translation>
     </message>
 </context>
 <context>

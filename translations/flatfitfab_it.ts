@@ -5713,10 +5713,6 @@
         <translation>Il modello non si può scalare così tanto: %1 uscirebbe dai suoi limiti.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Scegli nella barra il piano e che cosa specchiare; &lt;kbd&gt;Invio&lt;/kbd&gt; specchia. &lt;kbd&gt;Esc&lt;/kbd&gt; annulla.</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Fai clic sulla sezione rispetto a cui specchiare; trascina per ruotare la vista. &lt;kbd&gt;Esc&lt;/kbd&gt; annulla.</translation>
     </message>
@@ -6231,6 +6227,18 @@
             <numerusform>%n bordo non ha denti: lì le lastre si incontrano con un angolo troppo piatto o troppo acuto, o è troppo corto. Servono meno facce, oppure delle fette.</numerusform>
             <numerusform>%n bordi non hanno denti: lì le lastre si incontrano con un angolo troppo piatto o troppo acuto, o sono troppo corti. Servono meno facce, oppure delle fette.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Aggiunge un’immagine speculare della selezione. &lt;kbd&gt;Invio&lt;/kbd&gt; specchia; &lt;kbd&gt;Esc&lt;/kbd&gt; annulla.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ciò che cambi su un lato cambia anche sull’altro. &lt;kbd&gt;Invio&lt;/kbd&gt; specchia; &lt;kbd&gt;Esc&lt;/kbd&gt; annulla.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Rende uguali i due lati una volta; poi ognuno va per conto suo. &lt;kbd&gt;Invio&lt;/kbd&gt; specchia; &lt;kbd&gt;Esc&lt;/kbd&gt; annulla.</translation>
     </message>
 </context>
 <context>
@@ -10922,10 +10930,6 @@
         <translation>Contorno</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Disegnato a mano</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>Diventa così spostando uno dei suoi punti</translation>
     </message>
@@ -10953,6 +10957,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Forma libera</translation>
     </message>
 </context>
 <context>

@@ -5667,10 +5667,6 @@
         <translation>そこまで拡大縮小できません: %1 が限界を超えます。</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>バーで平面とミラーの対象を選んでください。&lt;kbd&gt;Enter&lt;/kbd&gt; でミラーします。&lt;kbd&gt;Esc&lt;/kbd&gt; で中止します。</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>ミラーの面にする板をクリックしてください。ドラッグでビューを回します。&lt;kbd&gt;Esc&lt;/kbd&gt; で中止します。</translation>
     </message>
@@ -6180,6 +6176,18 @@
         <translation>
             <numerusform>%n 本の辺にフィンガーがありません: 板の交わる角度が浅すぎるか鋭すぎる、または辺が短すぎます。面の数を減らすか、スライスを使ってください。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>選択したもののミラー像を追加します。&lt;kbd&gt;Enter&lt;/kbd&gt; でミラー、&lt;kbd&gt;Esc&lt;/kbd&gt; で中止します。</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>片側を変えると反対側も変わります。&lt;kbd&gt;Enter&lt;/kbd&gt; でミラー、&lt;kbd&gt;Esc&lt;/kbd&gt; で中止します。</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>一度だけ両側を同じにします。その後は別々に編集できます。&lt;kbd&gt;Enter&lt;/kbd&gt; でミラー、&lt;kbd&gt;Esc&lt;/kbd&gt; で中止します。</translation>
     </message>
 </context>
 <context>
@@ -10812,10 +10820,6 @@
         <translation>輪郭</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>手描き</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>点を 1 つ動かすと手描きになります</translation>
     </message>
@@ -10843,6 +10847,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>自由な形</translation>
     </message>
 </context>
 <context>

@@ -5713,10 +5713,6 @@
         <translation>Zo ver is het model niet te schalen: %1 zou buiten de grenzen komen.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Kies in de balk het vlak en wat je wilt spiegelen; &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt. &lt;kbd&gt;Esc&lt;/kbd&gt; annuleert.</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Klik op de sectie waarin je wilt spiegelen; sleep om het beeld te draaien. &lt;kbd&gt;Esc&lt;/kbd&gt; annuleert.</translation>
     </message>
@@ -6231,6 +6227,18 @@
             <numerusform>%n rand heeft geen vingers: de platen komen daar te vlak of te scherp samen, of de rand is te kort. Minder vlakken helpen, of in plaats daarvan schijven.</numerusform>
             <numerusform>%n randen hebben geen vingers: de platen komen daar te vlak of te scherp samen, of de randen zijn te kort. Minder vlakken helpen, of in plaats daarvan schijven.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Voegt een spiegelbeeld van de selectie toe. &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt; &lt;kbd&gt;Esc&lt;/kbd&gt; annuleert.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Wat je aan de ene kant verandert, verandert ook aan de andere. &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt; &lt;kbd&gt;Esc&lt;/kbd&gt; annuleert.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Maakt beide kanten één keer gelijk; daarna staat elke kant op zichzelf. &lt;kbd&gt;Enter&lt;/kbd&gt; spiegelt; &lt;kbd&gt;Esc&lt;/kbd&gt; annuleert.</translation>
     </message>
 </context>
 <context>
@@ -10922,10 +10930,6 @@
         <translation>Contour</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Met de hand getekend</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>Wordt zo door een van de punten te verplaatsen</translation>
     </message>
@@ -10953,6 +10957,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Vrije vorm</translation>
     </message>
 </context>
 <context>

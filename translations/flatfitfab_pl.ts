@@ -5759,10 +5759,6 @@
         <translation>Modelu nie da się aż tak przeskalować: %1 przekroczy granice.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Wybierz na pasku płaszczyznę i to, co odbić; &lt;kbd&gt;Enter&lt;/kbd&gt; odbija. &lt;kbd&gt;Esc&lt;/kbd&gt; anuluje.</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Kliknij płytkę, względem której odbić; przeciągnij, aby obrócić widok. &lt;kbd&gt;Esc&lt;/kbd&gt; anuluje.</translation>
     </message>
@@ -6282,6 +6278,18 @@
             <numerusform>%n krawędzie nie mają wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo są za krótkie. Pomoże mniej ścian albo plastry.</numerusform>
             <numerusform>%n krawędzi nie ma wczepów: arkusze spotykają się tam zbyt płasko lub zbyt ostro albo są za krótkie. Pomoże mniej ścian albo plastry.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Dodaje lustrzane odbicie zaznaczenia. &lt;kbd&gt;Enter&lt;/kbd&gt; odbija; &lt;kbd&gt;Esc&lt;/kbd&gt; anuluje.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Co zmienisz po jednej stronie, zmieni się też po drugiej. &lt;kbd&gt;Enter&lt;/kbd&gt; odbija; &lt;kbd&gt;Esc&lt;/kbd&gt; anuluje.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Raz czyni obie strony takimi samymi; potem każda jest osobna. &lt;kbd&gt;Enter&lt;/kbd&gt; odbija; &lt;kbd&gt;Esc&lt;/kbd&gt; anuluje.</translation>
     </message>
 </context>
 <context>
@@ -11032,10 +11040,6 @@
         <translation>Kontur</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Narysowany ręcznie</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>Staje się taki po przesunięciu któregoś z jego punktów</translation>
     </message>
@@ -11063,6 +11067,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Dowolny kształt</translation>
     </message>
 </context>
 <context>

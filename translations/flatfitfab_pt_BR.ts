@@ -5713,10 +5713,6 @@
         <translation>O modelo não pode ser redimensionado tanto assim: %1 passaria dos limites.</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Escolha na barra o plano e o que espelhar; &lt;kbd&gt;Enter&lt;/kbd&gt; espelha. &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Clique na seção em que se vai espelhar; arraste para girar a vista. &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
     </message>
@@ -6231,6 +6227,18 @@
             <numerusform>%n borda não tem dedos: as chapas se encontram em ângulo muito aberto ou muito fechado, ou ela é curta demais ali. Menos faces ajudam, ou então fatias.</numerusform>
             <numerusform>%n bordas não têm dedos: as chapas se encontram em ângulo muito aberto ou muito fechado, ou elas são curtas demais ali. Menos faces ajudam, ou então fatias.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Adiciona uma imagem espelhada da seleção. &lt;kbd&gt;Enter&lt;/kbd&gt; espelha; &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>O que você muda de um lado muda também do outro. &lt;kbd&gt;Enter&lt;/kbd&gt; espelha; &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Iguala os dois lados uma vez; depois cada um é independente. &lt;kbd&gt;Enter&lt;/kbd&gt; espelha; &lt;kbd&gt;Esc&lt;/kbd&gt; cancela.</translation>
     </message>
 </context>
 <context>
@@ -10922,10 +10930,6 @@
         <translation>Contorno</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>Desenhado à mão</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>Mover um de seus pontos o deixa assim</translation>
     </message>
@@ -10953,6 +10957,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>Forma livre</translation>
     </message>
 </context>
 <context>

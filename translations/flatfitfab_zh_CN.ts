@@ -5667,10 +5667,6 @@
         <translation>模型不能缩放那么多：%1 会超出限度。</translation>
     </message>
     <message>
-        <source>Choose the plane and what to mirror in the bar; &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>在工具条中选择平面和要镜像的内容；&lt;kbd&gt;Enter&lt;/kbd&gt; 镜像。&lt;kbd&gt;Esc&lt;/kbd&gt; 取消。</translation>
-    </message>
-    <message>
         <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>点击作为镜面的插片；拖动转动视图。&lt;kbd&gt;Esc&lt;/kbd&gt; 取消。</translation>
     </message>
@@ -6180,6 +6176,18 @@
         <translation>
             <numerusform>%n 条边没有指接：那里的板材相交得太平或太尖，或者太短。减少面数会有帮助，或改用切片。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Adds a mirror image of what is selected. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>添加所选内容的镜像。&lt;kbd&gt;Enter&lt;/kbd&gt; 镜像；&lt;kbd&gt;Esc&lt;/kbd&gt; 取消。</translation>
+    </message>
+    <message>
+        <source>What you change on one side changes on the other. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>改动一侧时，另一侧也随之改变。&lt;kbd&gt;Enter&lt;/kbd&gt; 镜像；&lt;kbd&gt;Esc&lt;/kbd&gt; 取消。</translation>
+    </message>
+    <message>
+        <source>Makes both sides the same once; then each is its own. &lt;kbd&gt;Enter&lt;/kbd&gt; mirrors; &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>使两侧相同一次，之后各自独立。&lt;kbd&gt;Enter&lt;/kbd&gt; 镜像；&lt;kbd&gt;Esc&lt;/kbd&gt; 取消。</translation>
     </message>
 </context>
 <context>
@@ -10812,10 +10820,6 @@
         <translation>轮廓</translation>
     </message>
     <message>
-        <source>Drawn by hand</source>
-        <translation>手画</translation>
-    </message>
-    <message>
         <source>Moving one of its points makes it so</source>
         <translation>移动它的一个点，它就成为手画</translation>
     </message>
@@ -10843,6 +10847,10 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+    <message>
+        <source>Free form</source>
+        <translation>自由形状</translation>
     </message>
 </context>
 <context>

@@ -138,7 +138,17 @@ std::vector<CommandGroup> MirrorTool::commandGroups() const
 
 Hint MirrorTool::hint() const
 {
-    return asks() ? hints::kMirrorAcross : hints::kMirrorWhat;
+    if (asks())
+        return hints::kMirrorAcross;
+    switch (m_choice.outcome) {
+    case MirrorChoice::Outcome::Copy:
+        return hints::kMirrorCopy;
+    case MirrorChoice::Outcome::Once:
+        return hints::kMirrorOnce;
+    case MirrorChoice::Outcome::Always:
+        break;
+    }
+    return hints::kMirrorAlways;
 }
 
 } // namespace fff

@@ -77,7 +77,7 @@ void FigureGroup::addKind()
             Choices choices;
             const std::optional<Figure> now = figure(0);
             choices.all.push_back(
-                {FigureGroupTexts::tr("Drawn by hand"), QColor(),
+                {FigureGroupTexts::tr("Free form"), QColor(),
                  now ? FigureGroupTexts::tr("Moving one of its points makes it so") : QString()});
             choices.current = 0;
             for (const FigureKind &kind : figureKinds()) {
