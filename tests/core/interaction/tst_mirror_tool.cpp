@@ -50,6 +50,7 @@ private Q_SLOTS:
     void whatIsShownIsWhatComes();
     void theModelGoesOnBeingMirrored();
     void acrossASection();
+    void theHintSaysWhatEachWayDoes();
     void theSameAgainLaysItDown();
     void escLeavesNothing();
     void nothingToCopy();
@@ -174,6 +175,20 @@ void TestMirrorTool::nothingToCopy()
     desk.run("edit.mirror");
     QVERIFY(!desk.commands.isEnabled("mirror.copy"));
     QVERIFY(desk.commands.isEnabled("mirror.once"));
+}
+
+// Wrong: three buttons, and one sentence for all of them.
+void TestMirrorTool::theHintSaysWhatEachWayDoes()
+{
+    MirrorDesk desk;
+    desk.run("edit.mirror");
+    const std::pair<const char *, const Text *> ways[] = {{"mirror.copy", &hints::kMirrorCopy},
+                                                          {"mirror.always", &hints::kMirrorAlways},
+                                                          {"mirror.once", &hints::kMirrorOnce}};
+    for (const auto &[command, words] : ways) {
+        desk.run(command);
+        QVERIFY2(desk.interaction.tool()->hint() == Hint(*words), command);
+    }
 }
 
 FFF_TEST(TestMirrorTool)

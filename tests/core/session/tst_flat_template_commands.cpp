@@ -129,6 +129,9 @@ void TestFlatTemplateCommands::tracedSectionsLieWhereThePictureDoes()
     QVERIFY(isNear(boxOf(square).max, {70, 50, 0}));
     QCOMPARE(desk.interaction.selection().size(), std::size_t(2));
     QCOMPARE(desk.lastStep(), QStringLiteral("Trace picture"));
+    // Not "Section 1": whose they are is to be read in the list.
+    QCOMPARE(disc.name, std::string("picture 1"));
+    QCOMPARE(square.name, std::string("picture 2"));
     desk.session.history()->undo();
     QVERIFY(desk.sections().empty());
 }
