@@ -45,7 +45,12 @@ QWidget *firstField(QWidget *pane)
 
 bool isSeen(const QWidget *widget)
 {
-    return widget->isVisible() && !widget->visibleRegion().isEmpty();
+    // By where it lies: a dock without a title is covered with its content, and has no visible
+    // region of its own.
+    QRect seen = widget->rect();
+    for (const QWidget *at = widget; !at->isWindow() && at->parentWidget(); at = at->parentWidget())
+        seen = seen.translated(at->pos()) & at->parentWidget()->rect();
+    return widget->isVisible() && !seen.isEmpty();
 }
 
 void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step)

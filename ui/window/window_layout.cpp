@@ -1,6 +1,7 @@
 #include "ui/window/window_layout.h"
 
 #include "ui/base/icon.h"
+#include "ui/base/panes.h"
 #include "ui/settings/settings.h"
 #include "ui/window/dock_tabs.h"
 
@@ -336,7 +337,7 @@ void WindowLayout::offer(QDockWidget *dock)
         return;
     QDockWidget *inFront = nullptr;
     for (QDockWidget *other : m_window.tabifiedDockWidgets(dock))
-        if (!other->visibleRegion().isEmpty())
+        if (isSeen(other))
             inFront = other;
     dock->show();
     if (inFront)
